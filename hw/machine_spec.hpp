@@ -1,0 +1,72 @@
+// The machine's widths and roundings: one value, handed to every unit, never global.
+//
+// 1978's machine is the default value: a 512 x 512 frame store, 16-bit Z, a 16 x 16-bit
+// multiplier-accumulator of 35 bits (TRW's TDC1010J class). Every width is a knob; the formats
+// that follow from the widths are the member functions, and `check` says whether they close.
+//
+// Screen space is a cube: X, Y and Z are counted in pixels from its centre, so an orthographic
+// view's Z quantum is 2^-depth_fraction() pixel (1/128 by default). See hw/MACHINE.md, section 2.
+#pragma once
+
+#include "fixed/rounding.hpp"
+
+#include <cstdint>
+
+namespace umbra78::hw {
+
+using fixed::Rounding;
+
+// Where the one rounding of a perspective quotient stands: behind the exact accumulators, or
+// (to show what it costs) on x and w before the division.
+enum class DivideOrder : std::uint8_t { exact, round_first };
+
+struct MachineSpec {
+    int xy_bits = 9;            // pixels a side = 2^xy_bits; 4..12
+    int z_bits = 16;            // 4..24; the all-ones code is the background
+    int coefficient_bits = 16;  // signed Q1.(bits - 2), one exponent a row; 8..32
+    int fraction_bits = 7;      // of X and Y behind the transform; 0..12
+    int multipliers = 4;        // 1, 4 or 16 multipliers of 16 x 16 bits
+    Rounding transform_rounding = Rounding::half_up;
+    Rounding coefficient_rounding = Rounding::half_even;
+    Rounding depth_rounding = Rounding::half_up;
+    DivideOrder divide_order = DivideOrder::exact;
+
+    constexpr int size_px() const { return 1 << xy_bits; }
+    constexpr int half_px() const { return 1 << (xy_bits - 1); }
+
+    // Z quanta a pixel, as a power of two; negative where a quantum is larger than a pixel.
+    constexpr int depth_fraction() const { return z_bits - xy_bits; }
+
+    // Fraction bits of the words that enter the transform unit: enough for Z, and for a pixel's
+    // centre.
+    constexpr int input_fraction() const { return depth_fraction() > 1 ? depth_fraction() : 1; }
+    constexpr int word_bits() const { return xy_bits + input_fraction(); }
+    constexpr std::int32_t one_word() const { return std::int32_t{1} << (word_bits() - 2); }
+
+    // Four exact products: bits of both factors, and three guard bits (35 by default).
+    constexpr int accumulator_bits() const { return word_bits() + coefficient_bits + 3; }
+
+    constexpr std::uint32_t background() const { return (std::uint32_t{1} << z_bits) - 1; }
+    constexpr std::uint32_t deepest_drawn() const { return background() - 1; }
+    constexpr std::int64_t depth_offset() const { return std::int64_t{1} << (z_bits - 1); }
+};
+
+// Which width, if any, keeps the formats from closing.
+enum class SpecStatus : std::uint8_t {
+    ok, xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers
+};
+
+constexpr SpecStatus check(const MachineSpec& m) {
+    if (m.xy_bits < 4 || m.xy_bits > 12) return SpecStatus::xy_bits;
+    if (m.z_bits < 4 || m.z_bits > 24) return SpecStatus::z_bits;
+    if (m.coefficient_bits < 8 || m.coefficient_bits > 32) return SpecStatus::coefficient_bits;
+    if (m.fraction_bits < 0 || m.fraction_bits > 12) return SpecStatus::fraction_bits;
+    if (m.multipliers != 1 && m.multipliers != 4 && m.multipliers != 16)
+        return SpecStatus::multipliers;
+    return SpecStatus::ok;
+}
+
+static_assert(MachineSpec{}.word_bits() == 16 && MachineSpec{}.accumulator_bits() == 35,
+              "1978's formats: 16-bit words, 35-bit accumulator");
+
+}  // namespace umbra78::hw

@@ -1,0 +1,73 @@
+// The noise source: a place's own pair of dither words, from one 31-stage shift register.
+//
+// Every pixel position owns 16 k successive bits of the register's stream, visible or not; the
+// first 8 k make the X word, the next 8 k the Y word: the sum of k unsigned bytes, centred and
+// scaled to `size` texels peak to peak. k = 1 uniform, 2 triangular, 4 and 12 pseudo-normal
+// (Williams 1978, p. 273: normal, within -.5 .. +.5). A scan line's state is reached by a jump,
+// so what is drawn does not depend on the order of the work.
+#pragma once
+
+#include "fixed/noise.hpp"
+#include "hw/machine_spec.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace umbra78::hw {
+
+enum class DitherShape : std::uint8_t { none, uniform, triangular, normal, normal12 };
+
+// Bytes in one word's sum.
+constexpr int uniforms(DitherShape s) {
+    constexpr std::array<int, 5> k{0, 1, 2, 4, 12};
+    return k[static_cast<std::size_t>(s)];
+}
+
+struct Dither {
+    DitherShape shape = DitherShape::none;
+    std::int32_t size_q8 = 256;       // texels peak to peak, Q8.8: 256 is -0.5 .. +0.5 texel
+    std::uint32_t seed = 0x12345678;  // 31 bits, not zero
+};
+
+struct DitherWords {
+    std::int32_t x, y;  // texels, MachineSpec::fraction_bits fraction bits
+};
+
+// The noise of a run of successive pixels of one scan line.
+class NoiseSource {
+public:
+    NoiseSource(const Dither& dither, const MachineSpec& spec, int x, int y)
+        : k_(uniforms(dither.shape)),
+          amplitude_(fixed::dither_amplitude(k_, dither.size_q8, spec.fraction_bits)),
+          register_(dither.seed) {
+        const auto pixel =
+            (static_cast<std::uint64_t>(y) << spec.xy_bits) + static_cast<std::uint64_t>(x);
+        register_.jump(pixel * 16 * static_cast<std::uint64_t>(k_));
+    }
+
+    DitherWords next() {
+        const int sx = sum();
+        const int sy = sum();
+        return {fixed::dither_word(sx, k_, amplitude_), fixed::dither_word(sy, k_, amplitude_)};
+    }
+
+    void skip(int pixels) {
+        register_.jump(static_cast<std::uint64_t>(pixels) * 16 * static_cast<std::uint64_t>(k_));
+    }
+
+private:
+    int sum() {
+        int total = 0;
+        for (int left = k_; left > 0; left -= 8) {
+            const int n = left < 8 ? left : 8;
+            total += fixed::sum_of_uniforms(register_.take(8 * n), n);
+        }
+        return total;
+    }
+
+    int k_;
+    std::int32_t amplitude_;
+    fixed::NoiseRegister register_;
+};
+
+}  // namespace umbra78::hw

@@ -1,0 +1,102 @@
+#include "hw/transform_unit.hpp"
+
+#include "fixed/overflow.hpp"
+
+namespace umbra78::hw {
+namespace {
+
+// Rounds a row at one exponent; false where a word does not fit.
+bool round_row(const std::array<Rational, 4>& row, int exponent, int bits, Rounding rounding,
+               std::array<std::int32_t, 4>& out) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::int64_t word = 0;
+        if (!row[i].round_scaled(bits - 2 - exponent, rounding, word)) return false;
+        if (!fixed::fits(word, bits)) return false;
+        out[i] = static_cast<std::int32_t>(word);
+    }
+    return true;
+}
+
+// The smallest exponent in range at which every word of the row fits.
+bool quantize_row(const std::array<Rational, 4>& row, int bits, Rounding rounding,
+                  std::array<std::int32_t, 4>& words, int& exponent) {
+    int start = least_exponent;
+    bool zero = true;
+    for (const Rational& c : row) {
+        if (c.is_zero()) continue;
+        const int log2 = c.floor_log2();
+        start = zero || log2 > start ? log2 : start;
+        zero = false;
+    }
+    if (zero) {
+        words = {};
+        exponent = 0;
+        return true;
+    }
+    // |c| < 2^(log2 + 1) fits Q1.x from exponent log2 on, or log2 - 1 for exactly -2^log2.
+    for (int e = start - 1 < least_exponent ? least_exponent : start - 1; e <= greatest_exponent;
+         ++e) {
+        if (round_row(row, e, bits, rounding, words)) {
+            exponent = e;
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, WordFormat input,
+                       MatrixWords& out) {
+    // The fourth column multiplies one_word, not 1.0: scale it so that the sum comes out right.
+    const Rational one_value = Rational(input.one_word(), std::int64_t{1} << input.fraction);
+    out.affine = exact[3][0].is_zero() && exact[3][1].is_zero() && exact[3][2].is_zero();
+    for (std::size_t r = 0; r < 4; ++r) {
+        std::array<Rational, 4> row = exact[r];
+        if (out.affine) {
+            for (Rational& c : row) c = c / exact[3][3];
+        }
+        row[3] = row[3] / one_value;
+        if (!quantize_row(row, spec.coefficient_bits, spec.coefficient_rounding, out.word[r],
+                          out.exponent[r]))
+            return LoadStatus::exponent_out_of_range;
+    }
+    return LoadStatus::ok;
+}
+
+Point TransformUnit::affine(const Words& v) const {
+    const std::int32_t one = input_.one_word();
+    const auto out = [&](Row row, int fraction) {
+        return fixed::scale_shift(accumulate(matrix_, row, v, one),
+                                  affine_shift(matrix_, row, spec_, input_, fraction),
+                                  spec_.transform_rounding);
+    };
+    return {out(Row::x, spec_.fraction_bits), out(Row::y, spec_.fraction_bits),
+            out(Row::z, spec_.depth_fraction()), DivideStatus::ok};
+}
+
+Point TransformUnit::divided(const Words& v) const {
+    const std::int32_t one = input_.one_word();
+    Accumulators acc{};
+    for (std::size_t r = 0; r < 4; ++r) acc[r] = accumulate(matrix_, static_cast<Row>(r), v, one);
+    if (spec_.divide_order == DivideOrder::round_first) {
+        // The knob that shows what it costs: x and w lose the product's low bits first.
+        for (std::int64_t& a : acc)
+            a = fixed::round_shift(a, spec_.coefficient_bits - 2, spec_.transform_rounding);
+    }
+    Point p{0, 0, 0, DivideStatus::ok};
+    const auto out = [&](Row row, int fraction, int bits) {
+        const fixed::Quotient q =
+            fixed::divide(acc[static_cast<std::size_t>(row)], acc[3],
+                          divide_shift(matrix_, row, fraction), bits, spec_.transform_rounding);
+        if (q.status != DivideStatus::ok) p.status = q.status;
+        return q.value;
+    };
+    // One bit more than the volume needs, so that just outside is a value and far out a status.
+    p.x = out(Row::x, spec_.fraction_bits, spec_.xy_bits + spec_.fraction_bits + 1);
+    p.y = out(Row::y, spec_.fraction_bits, spec_.xy_bits + spec_.fraction_bits + 1);
+    p.z = out(Row::z, spec_.depth_fraction(), spec_.z_bits + 1);
+    return p;
+}
+
+}  // namespace umbra78::hw

@@ -1,0 +1,127 @@
+// The 4 x 4 homogeneous transform unit: words in, exact accumulators, one rounding out.
+//
+//   acc_r = c_r0 x + c_r1 y + c_r2 z + c_r3 one         (exact; 35 bits in 1978's widths)
+//   out_r = round(acc_r 2^(e_r) / 2^(C - 2) / 2^(in))   in `out` fraction bits   (affine)
+//   out_r = round(acc_r 2^(e_r) / (acc_w 2^(e_w)))      by the divider           (perspective)
+//
+// A coefficient is a signed Q1.(C - 2) word; a row shares the block exponent e_r. The homogeneous
+// input `one` is the word 2^(bits - 2), so the fourth column holds t 2^(in - bits + 2) for a
+// translation t: with 16-bit Q8.7 words, +-256 pixels at exponent 0, in steps of a quantum.
+// The shadow's bias is part of the Z row (Williams 1978, p. 272).
+// Not emulated here: the clock (functional form; costs are closed forms, below).
+#pragma once
+
+#include "fixed/divide.hpp"
+#include "fixed/rational.hpp"
+#include "hw/machine_spec.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace umbra78::hw {
+
+using fixed::Rational;
+
+using RationalMatrix = std::array<std::array<Rational, 4>, 4>;
+
+// Input words: value = word / 2^fraction, `bits` wide.
+struct WordFormat {
+    int bits;
+    int fraction;
+    constexpr std::int32_t one_word() const { return std::int32_t{1} << (bits - 2); }
+};
+
+constexpr WordFormat screen_words(const MachineSpec& m) {
+    return {m.word_bits(), m.input_fraction()};
+}
+
+enum class Row : std::uint8_t { x, y, z, w };
+
+struct MatrixWords {
+    std::array<std::array<std::int32_t, 4>, 4> word{};  // [row][column], Q1.(C - 2)
+    std::array<int, 4> exponent{};                      // value = word 2^(exponent - C + 2)
+    bool affine = true;                                 // the W row is (0, 0, 0, 1)
+};
+
+enum class LoadStatus : std::uint8_t { ok, exponent_out_of_range };
+
+inline constexpr int least_exponent = -31;
+inline constexpr int greatest_exponent = 31;
+
+// Rounds an exact matrix to coefficient words: the smallest exponent that holds the whole row.
+LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, WordFormat input,
+                       MatrixWords& out);
+
+struct Words {
+    std::int32_t x, y, z;
+};
+
+using Accumulators = std::array<std::int64_t, 4>;
+
+constexpr std::int64_t accumulate(const MatrixWords& m, Row row, const Words& v,
+                                  std::int32_t one) {
+    const auto& c = m.word[static_cast<std::size_t>(row)];
+    return std::int64_t{c[0]} * v.x + std::int64_t{c[1]} * v.y + std::int64_t{c[2]} * v.z +
+           std::int64_t{c[3]} * one;
+}
+
+// How far an affine row's accumulator shifts right to leave `out_fraction` bits.
+constexpr int affine_shift(const MatrixWords& m, Row row, const MachineSpec& spec,
+                           WordFormat input, int out_fraction) {
+    return spec.coefficient_bits - 2 + input.fraction - out_fraction -
+           m.exponent[static_cast<std::size_t>(row)];
+}
+
+// How far a perspective row's dividend shifts left to leave `out_fraction` bits.
+constexpr int divide_shift(const MatrixWords& m, Row row, int out_fraction) {
+    return out_fraction + m.exponent[static_cast<std::size_t>(row)] - m.exponent[3];
+}
+
+using fixed::DivideStatus;
+
+struct Point {
+    std::int64_t x, y;    // pixels from the centre, fraction_bits fraction bits
+    std::int64_t z;       // depth quanta from the centre of the cube
+    DivideStatus status;  // of the perspective divide; ok where there is none
+};
+
+// The unit as the shadow post-process uses it: screen words in, screen words of another view out.
+class TransformUnit {
+public:
+    TransformUnit(const MachineSpec& spec, const MatrixWords& matrix)
+        : spec_(spec), matrix_(matrix), input_(screen_words(spec)) {}
+
+    Point operator()(const Words& v) const { return matrix_.affine ? affine(v) : divided(v); }
+
+    Point affine(const Words& v) const;
+    Point divided(const Words& v) const;
+
+    const MatrixWords& matrix() const { return matrix_; }
+    const MachineSpec& spec() const { return spec_; }
+
+private:
+    MachineSpec spec_;
+    MatrixWords matrix_;
+    WordFormat input_;
+};
+
+// Closed-form cost of the functional unit. A 16 x 16 multiplier takes coefficients or words wider
+// than 16 bits in two passes each. Where w is 1 the fourth product is a preloaded constant and
+// the W row is left out, so an affine point costs 9 products; else 16.
+struct UnitCost {
+    int cycles_per_point;
+    int latency_cycles;
+};
+
+constexpr UnitCost transform_cost(const MachineSpec& spec, bool affine) {
+    const int passes = (spec.coefficient_bits > 16 ? 2 : 1) * (spec.word_bits() > 16 ? 2 : 1);
+    const int rows = affine ? 3 : 4;
+    const int per_row = affine ? 3 : 4;
+    switch (spec.multipliers) {
+        case 1: return {rows * per_row * passes, rows * per_row * passes + 2};
+        case 4: return {rows * passes, rows * passes + 3};
+        default: return {passes, passes + 3};
+    }
+}
+
+}  // namespace umbra78::hw

@@ -1,0 +1,58 @@
+// The block rule: whether a block is left out, split once more, or drawn as 16 x 16 leaves.
+//
+// Raster units: X and Y 2^-13 pixel (7 fraction bits and 6 guard bits), Z 2^-guard quantum. A
+// block is drawn when no leaf of it can be larger than a pixel in X or Y, its corrections
+// included, so a leaf's centre lies within half a pixel of every point it covers and no pixel is
+// missed; and when no leaf bends away from its corners by more than 32 units, so the edges of
+// neighbours of different depth lie within the slack that sampling.hpp allows.
+#pragma once
+
+#include "hw/transform_unit.hpp"
+#include "raster/block.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace umbra78::raster {
+
+inline constexpr int raster_fraction = 13;
+inline constexpr std::int64_t pixel_units = std::int64_t{1} << raster_fraction;
+
+// 15.5 pixels a block, so 0.97 a leaf: what is left of the pixel holds the corrections.
+inline constexpr std::int64_t greatest_slope = 31 * pixel_units / 2;
+// 32 units a leaf; a block's correction is 4^4 times its leaf's.
+inline constexpr std::int64_t greatest_bend = 32 << 8;
+// Bounds past this are "too large": far outside what the 32-bit corners hold.
+inline constexpr std::int64_t unbounded = std::int64_t{1} << 29;
+
+// Guard bits of Z; fewer where a wide Z would not fit 32-bit corners.
+constexpr int depth_guard(const hw::MachineSpec& spec) {
+    return spec.z_bits <= 20 ? 6 : 26 - spec.z_bits;
+}
+
+using ScreenBounds = std::array<Bounds, 3>;  // x, y, z in raster units
+
+enum class Fate : std::uint8_t { outside, split_u, split_v, draw };
+
+constexpr Fate block_fate(const ScreenBounds& b, const hw::MachineSpec& spec) {
+    const std::int64_t edge = spec.half_px() * pixel_units + pixel_units / 64;
+    const std::int64_t deep = (spec.depth_offset() + 1) << depth_guard(spec);
+    const std::array<std::int64_t, 3> limit{edge, edge, deep};
+    bool small = true;
+    std::int64_t in_u = 0, in_v = 0;  // the greater of slope and scaled bend, 16 px = 2^17
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (b[k].greatest < -limit[k] || b[k].least > limit[k]) return Fate::outside;
+        if (b[k].greatest >= unbounded || b[k].least <= -unbounded) small = false;
+        if (b[k].bend_u > greatest_bend || b[k].bend_v > greatest_bend) small = false;
+        in_u = std::max(in_u, 16 * b[k].bend_u);
+        in_v = std::max(in_v, 16 * b[k].bend_v);
+        if (k == 2) break;
+        if (b[k].slope_u + b[k].slope_v > greatest_slope) small = false;
+        in_u = std::max(in_u, b[k].slope_u);
+        in_v = std::max(in_v, b[k].slope_v);
+    }
+    if (small) return Fate::draw;
+    return in_u >= in_v ? Fate::split_u : Fate::split_v;
+}
+
+}  // namespace umbra78::raster

@@ -1,0 +1,184 @@
+#include "raster/draw.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace umbra78::raster {
+namespace {
+
+using fixed::Rounding;
+
+template <std::size_t N>
+std::array<Component, N> first(const std::array<Component, 4>& c) {
+    std::array<Component, N> out;
+    std::copy_n(c.begin(), N, out.begin());
+    return out;
+}
+
+Vector object_place(const View& view, WordFormat object, bool eye) {
+    const std::array<std::int32_t, 3> t{view.target.x, view.target.y, view.target.z};
+    Vector out{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::int64_t q16 = t[k];
+        if (eye)
+            q16 += fixed::round_shift(std::int64_t{view.distance} * view.frame.back[k], 30,
+                                      Rounding::half_up);
+        out[k] = fixed::scale_shift(q16, world_fraction - object.fraction - object_guard,
+                                    Rounding::half_up);
+    }
+    return out;
+}
+
+Toward toward_eye(const View& view, WordFormat object) {
+    Toward t;
+    t.to_point = view.projection == Projection::perspective;
+    for (std::size_t k = 0; k < 3; ++k)
+        t.direction[k] = static_cast<std::int32_t>(
+            fixed::round_shift(view.frame.back[k], 30 - unit_fraction, Rounding::half_up));
+    if (t.to_point) t.point = object_place(view, object, true);
+    return t;
+}
+
+}  // namespace
+
+hw::WordFormat object_words(std::span<const Patch> patches) {
+    std::uint32_t largest = 1;
+    for (const Patch& p : patches)
+        for (const World& c : p.control)
+            for (const std::int32_t v : {c.x, c.y, c.z})
+                largest = std::max(largest, static_cast<std::uint32_t>(fixed::magnitude(v)));
+    // |word| < 2^15 with some room for rounding up: bits of the integer part, and the rest.
+    const int width = static_cast<int>(std::bit_width(largest + 1));
+    const int fraction = object_bits - 1 - width + world_fraction;
+    return {object_bits, std::min(fraction, object_bits - 2)};
+}
+
+hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
+                         MatrixWords& out) {
+    return hw::load_matrix(world_to_screen(view, spec), spec, object, out);
+}
+
+Toward toward_viewer(const View& view, WordFormat object) { return toward_eye(view, object); }
+Toward toward_light(const View& light, WordFormat object) { return toward_eye(light, object); }
+
+namespace detail {
+
+bool divide_corners(const std::array<CornerGrid<std::int64_t>, 4>& g, const MachineSpec& spec,
+                    Corners& out) {
+    const std::array<int, 3> fraction{raster_fraction, raster_fraction,
+                                      spec.depth_fraction() + depth_guard(spec)};
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t v = 0; v < corners; ++v) {
+            for (std::size_t u = 0; u < corners; ++u) {
+                const fixed::Quotient q =
+                    fixed::divide(g[c][v][u], g[3][v][u], fraction[c], 31, Rounding::half_up);
+                if (q.status != fixed::DivideStatus::ok) return false;
+                out[c][v][u] = static_cast<std::int32_t>(q.value);
+            }
+        }
+    }
+    return true;
+}
+
+void BlockWalk::push_patch(const Patch& patch) {
+    StackBlock& b = memory_.stack[depth_++];
+    const ObjectWords words = to_object_words(patch, setup_.object);
+    if (affine()) {
+        const auto c = affine_components(words, setup_.matrix, setup_.spec, setup_.object);
+        std::copy(c.begin(), c.end(), b.screen.begin());
+    } else {
+        b.screen = homogeneous_components(words, setup_.matrix, setup_.spec, setup_.object);
+    }
+    b.level_u = b.level_v = 0;
+    if (!shades_) return;
+    std::array<std::array<std::int64_t, 16>, 3> place{};
+    for (std::size_t k = 0; k < 16; ++k) {
+        place[0][k] = std::int64_t{words[k].x} * (1 << object_guard);
+        place[1][k] = std::int64_t{words[k].y} * (1 << object_guard);
+        place[2][k] = std::int64_t{words[k].z} * (1 << object_guard);
+    }
+    for (std::size_t c = 0; c < 3; ++c) b.world[c] = component_from_bezier(place[c]);
+}
+
+Fate BlockWalk::fate(const StackBlock& b, ScreenBounds& bounds) const {
+    if (affine()) {
+        bounds = affine_bounds(first<3>(b.screen));
+        return block_fate(bounds, setup_.spec);
+    }
+    switch (projected_bounds(b.screen, setup_.spec, bounds)) {
+        case Sight::behind: return Fate::outside;
+        case Sight::before: return block_fate(bounds, setup_.spec);
+        default: return b.level_u <= b.level_v ? Fate::split_u : Fate::split_v;
+    }
+}
+
+// Splits the popped block in place: its low half stays, its high half goes above it.
+void BlockWalk::split(bool along_u) {
+    StackBlock& low = memory_.stack[depth_];
+    StackBlock& high = memory_.stack[depth_ + 1];
+    const auto halve = [&](Component& c, Component& h) {
+        const Component whole = c;
+        along_u ? split_u(whole, c, h) : split_v(whole, c, h);
+    };
+    for (std::size_t c = 0; c < (affine() ? 3u : 4u); ++c) halve(low.screen[c], high.screen[c]);
+    if (shades_)
+        for (std::size_t c = 0; c < 3; ++c) halve(low.world[c], high.world[c]);
+    (along_u ? low.level_u : low.level_v) += 1;
+    high.level_u = low.level_u;
+    high.level_v = low.level_v;
+    depth_ += 2;
+}
+
+bool BlockWalk::next(ScreenBounds& bounds) {
+    while (depth_ > 0) {
+        const StackBlock& b = memory_.stack[--depth_];
+        const Fate f = fate(b, bounds);
+        if (f == Fate::draw) return true;
+        if (f == Fate::outside) continue;
+        const bool can_u = b.level_u < deepest_level, can_v = b.level_v < deepest_level;
+        if (!can_u && !can_v) {
+            ++counts_.unresolved;
+            continue;
+        }
+        split(f == Fate::split_u ? can_u : !can_v);
+    }
+    return false;
+}
+
+bool BlockWalk::make_corners() {
+    if (affine()) {
+        expand<std::int32_t, 3>(first<3>(block().screen), memory_.corners);
+        return true;
+    }
+    expand<std::int64_t, 4>(block().screen, memory_.homogeneous);
+    return divide_corners(memory_.homogeneous, setup_.spec, memory_.corners);
+}
+
+PixelWindow pixel_window(const ScreenBounds& b, const MachineSpec& spec) {
+    const auto pixel = [&](std::int64_t v) {
+        const std::int64_t p = (v >> raster_fraction) + spec.half_px();
+        return static_cast<int>(std::clamp<std::int64_t>(p, 0, spec.size_px() - 1));
+    };
+    return {pixel(b[0].least - slack), pixel(b[1].least - slack), pixel(b[0].greatest + slack),
+            pixel(b[1].greatest + slack)};
+}
+
+}  // namespace detail
+
+void order_front_to_back(std::span<const Patch> patches, const View& view,
+                         std::span<std::uint32_t> order, std::span<std::int64_t> nearest) {
+    const Axis& back = view.frame.back;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        order[k] = static_cast<std::uint32_t>(k);
+        nearest[k] = INT64_MIN;
+        for (const World& p : patches[k].control)
+            nearest[k] = std::max(nearest[k], std::int64_t{back[0]} * p.x +
+                                                  std::int64_t{back[1]} * p.y +
+                                                  std::int64_t{back[2]} * p.z);
+    }
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return nearest[a] != nearest[b] ? nearest[a] > nearest[b] : a < b;
+    });
+}
+
+}  // namespace umbra78::raster

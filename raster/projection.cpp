@@ -1,0 +1,138 @@
+#include "raster/projection.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace umbra78::raster {
+namespace {
+
+using fixed::Rounding;
+
+// 44 bits leave room for 9 times the value in guv, 4 096 times in X - c W, and the bounds' sums.
+constexpr int homogeneous_bits = 44;
+
+template <class Transform>
+Component component(const ObjectWords& p, Transform&& transform) {
+    std::array<std::int64_t, 16> control{};
+    for (std::size_t k = 0; k < 16; ++k) control[k] = transform(p[k]);
+    return component_from_bezier(control);
+}
+
+// a - c b, corner by corner.
+Component less(const Component& a, std::int64_t c, const Component& b) {
+    Component r;
+    for (std::size_t k = 0; k < 4; ++k) {
+        r.f[k] = a.f[k] - c * b.f[k];
+        r.gu[k] = a.gu[k] - c * b.gu[k];
+        r.gv[k] = a.gv[k] - c * b.gv[k];
+        r.guv[k] = a.guv[k] - c * b.guv[k];
+    }
+    return r;
+}
+
+// v 2^n rounded up, or `huge` where that would leave 58 bits. v >= 0.
+constexpr std::int64_t huge = std::int64_t{1} << 58;
+
+std::int64_t up(std::int64_t v, int n) {
+    if (n < 0) return fixed::scale_shift(v, -n, Rounding::ceiling);
+    return v >= huge >> n ? huge : v << n;
+}
+
+// Bounds of X / W in 2^-fraction pixel.
+Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw, int fraction) {
+    // Bring W to 24 bits and its bounds to the same scale, rounded outward.
+    const int down = std::max(0, static_cast<int>(std::bit_width(
+                                     static_cast<std::uint64_t>(bw.least))) - 24);
+    const std::int64_t w_least = bw.least >> down;
+    const auto scaled = [&](std::int64_t v) { return (v >> down) + 1; };
+    const std::int64_t centre =
+        std::clamp<std::int64_t>(fixed::round_divide(x.f[0], w.f[0], Rounding::floor),
+                                 -(1 << 12), 1 << 12);
+    const Bounds b = bounds(less(x, centre, w));
+    const auto over_w = [&](std::int64_t v) {  // v / W in the target's fraction, rounded up
+        return up(scaled(v), fraction) / w_least + 1;
+    };
+    const std::int64_t reach = over_w(std::max(-b.least, b.greatest));
+    const auto times = [&](std::int64_t v) {  // reach v / W
+        const std::int64_t s = scaled(v);
+        if (reach >= std::int64_t{1} << 26 || s >= std::int64_t{1} << 31) return huge;
+        return reach * s / w_least + 1;
+    };
+    Bounds out{};
+    out.least = fixed::scale_shift(centre, -fraction, Rounding::floor) - reach;
+    out.greatest = fixed::scale_shift(centre, -fraction, Rounding::ceiling) + reach;
+    out.slope_u = over_w(b.slope_u) + times(bw.slope_u);
+    out.slope_v = over_w(b.slope_v) + times(bw.slope_v);
+    // An eighth of |x''| <= (|X''| + |x W''| + 2 |x' W'|) / W.
+    const auto bend = [&](std::int64_t bx, std::int64_t bw_bend, std::int64_t slope,
+                          std::int64_t w_slope) {
+        const std::int64_t s = scaled(w_slope);
+        const std::int64_t mixed = slope >= std::int64_t{1} << 28 || s >= std::int64_t{1} << 30
+                                       ? huge
+                                       : slope * s / (4 * w_least) + 1;
+        return over_w(bx) + times(bw_bend) + mixed;
+    };
+    out.bend_u = bend(b.bend_u, bw.bend_u, out.slope_u, bw.slope_u);
+    out.bend_v = bend(b.bend_v, bw.bend_v, out.slope_v, bw.slope_v);
+    return out;
+}
+
+}  // namespace
+
+ObjectWords to_object_words(const Patch& patch, WordFormat format) {
+    ObjectWords out{};
+    const auto word = [&](std::int32_t v) {
+        return static_cast<std::int32_t>(
+            fixed::scale_shift(v, world_fraction - format.fraction, Rounding::half_up));
+    };
+    for (std::size_t k = 0; k < 16; ++k) {
+        const World& p = patch.control[k];
+        out[k] = {word(p.x), word(p.y), word(p.z)};
+    }
+    return out;
+}
+
+std::array<Component, 3> affine_components(const ObjectWords& p, const MatrixWords& m,
+                                           const MachineSpec& spec, WordFormat format) {
+    const auto row = [&](hw::Row r, int fraction) {
+        const int shift = hw::affine_shift(m, r, spec, format, fraction);
+        return component(p, [&](const hw::Words& v) {
+            return fixed::scale_shift(hw::accumulate(m, r, v, format.one_word()), shift,
+                                      spec.transform_rounding);
+        });
+    };
+    return {row(hw::Row::x, raster_fraction), row(hw::Row::y, raster_fraction),
+            row(hw::Row::z, spec.depth_fraction() + depth_guard(spec))};
+}
+
+std::array<Component, 4> homogeneous_components(const ObjectWords& p, const MatrixWords& m,
+                                                const MachineSpec& spec, WordFormat format) {
+    const int greatest = *std::max_element(m.exponent.begin(), m.exponent.end());
+    const int accumulator_bits = format.bits + spec.coefficient_bits + 2;
+    const int up = homogeneous_bits - accumulator_bits;
+    const auto row = [&](hw::Row r) {
+        const int shift = greatest - m.exponent[static_cast<std::size_t>(r)] - up;
+        return component(p, [&](const hw::Words& v) {
+            return fixed::scale_shift(hw::accumulate(m, r, v, format.one_word()), shift,
+                                      spec.transform_rounding);
+        });
+    };
+    return {row(hw::Row::x), row(hw::Row::y), row(hw::Row::z), row(hw::Row::w)};
+}
+
+ScreenBounds affine_bounds(const std::array<Component, 3>& c) {
+    return {bounds(c[0]), bounds(c[1]), bounds(c[2])};
+}
+
+Sight projected_bounds(const std::array<Component, 4>& c, const MachineSpec& spec,
+                       ScreenBounds& out) {
+    const Bounds w = bounds(c[3]);
+    if (w.greatest <= 0) return Sight::behind;
+    if (w.least <= 0) return Sight::both;
+    out = {quotient_bounds(c[0], c[3], w, raster_fraction),
+           quotient_bounds(c[1], c[3], w, raster_fraction),
+           quotient_bounds(c[2], c[3], w, spec.depth_fraction() + depth_guard(spec))};
+    return Sight::before;
+}
+
+}  // namespace umbra78::raster

@@ -1,0 +1,157 @@
+// Sampling: a block's 17 x 17 corners to samples of pixels.
+//
+// leaf    The leaf's centre, the mean of its four corners, falls in one pixel. Catmull's own.
+// centre  A leaf is the triangles (00, 10, 11) and (00, 11, 01). A pixel whose centre p lies in
+//         one gets the Z of the triangle's plane there:
+//
+//           z = az + round((w_b (bz - az) + w_c (cz - az)) / |A|),  clamped to the corners' range
+//
+//         with the edge functions w and the doubled area A. A quotient by a serial divider is
+//         shifts and subtractions, like the rest. "In" allows a slack of 1/64 pixel: p is inside
+//         the triangle's box and on the inner side of each edge, both grown by the slack
+//         (w >= -slack (|dx| + |dy|)). So neighbours that were split to different depths leave no
+//         crack; pixels covered twice do no harm, since the nearest wins in any order.
+#pragma once
+
+#include "raster/block_rule.hpp"
+#include "raster/leaf_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace umbra78::raster {
+
+enum class Sampling : std::uint8_t { leaf, centre };
+
+inline constexpr std::int32_t slack = 128;  // 1/64 pixel
+
+struct Sample {
+    int px, py;           // pixel, 0 is left and top
+    std::int32_t x, y;    // where it was taken, raster units from the centre of the frame
+    std::int64_t z;       // raster units
+    int leaf_i, leaf_j;   // within the block
+};
+
+using Corners = std::array<CornerGrid<std::int32_t>, 3>;
+
+struct Corner {
+    std::int32_t x, y, z;
+};
+
+inline Corner corner_at(const Corners& g, int i, int j) {
+    const auto u = static_cast<std::size_t>(i), v = static_cast<std::size_t>(j);
+    return {g[0][v][u], g[1][v][u], g[2][v][u]};
+}
+
+// Depth of the triangle at (x, y), or false where it does not cover it.
+inline bool triangle_depth(const Corner& a, const Corner& b, const Corner& c, std::int32_t x,
+                           std::int32_t y, std::int64_t& z) {
+    const auto outside = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t at) {
+        return at < std::min({p, q, r}) - slack || at > std::max({p, q, r}) + slack;
+    };
+    if (outside(a.x, b.x, c.x, x) || outside(a.y, b.y, c.y, y)) return false;
+    const auto edge = [&](const Corner& p, const Corner& q, std::int32_t rx, std::int32_t ry) {
+        return (q.x - p.x) * (ry - p.y) - (rx - p.x) * (q.y - p.y);
+    };
+    std::int32_t area = edge(a, b, c.x, c.y);
+    if (area == 0) return false;  // edge-on: its neighbours cover what it would
+    const std::int32_t sign = area < 0 ? -1 : 1;
+    area *= sign;
+    const std::int32_t wc = sign * edge(a, b, x, y), wa = sign * edge(b, c, x, y);
+    const std::int32_t wb = sign * edge(c, a, x, y);
+    const auto grown = [](const Corner& p, const Corner& q) {
+        const std::int32_t dx = q.x - p.x, dy = q.y - p.y;
+        return -slack * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+    };
+    if (wc < grown(a, b) || wa < grown(b, c) || wb < grown(c, a)) return false;
+    const std::int64_t rise = std::int64_t{wb} * (std::int64_t{b.z} - a.z) +
+                              std::int64_t{wc} * (std::int64_t{c.z} - a.z);
+    z = a.z + fixed::round_divide(rise, area, fixed::Rounding::half_up);
+    z = std::clamp<std::int64_t>(z, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}));
+    return true;
+}
+
+// The pixels whose centres a leaf's box, grown by the slack, may hold: one row of leaves at once.
+struct CentreWindow {
+    std::array<std::int32_t, leaves> x0, x1, y0, y1;
+};
+
+inline void centre_windows(const Corners& g, int j, std::int32_t half_px, CentreWindow& w) {
+    // Pixel i's centre is at (i + 1/2 - half_px); `to_index` makes centres multiples of a pixel.
+    const std::int32_t to_index = half_px * (1 << raster_fraction) - (1 << (raster_fraction - 1));
+    const std::int32_t last = 2 * half_px - 1;
+    const auto v = static_cast<std::size_t>(j);
+    const auto axis = [&](const CornerGrid<std::int32_t>& c, auto& first_px, auto& last_px) {
+        for (std::size_t u = 0; u < leaves; ++u) {
+            const std::int32_t least =
+                std::min(std::min(c[v][u], c[v][u + 1]), std::min(c[v + 1][u], c[v + 1][u + 1]));
+            const std::int32_t greatest =
+                std::max(std::max(c[v][u], c[v][u + 1]), std::max(c[v + 1][u], c[v + 1][u + 1]));
+            const std::int32_t low =
+                (least - slack + to_index + (1 << raster_fraction) - 1) >> raster_fraction;
+            const std::int32_t high = (greatest + slack + to_index) >> raster_fraction;
+            first_px[u] = std::max(low, 0);
+            last_px[u] = std::min(high, last);
+        }
+    };
+    axis(g[0], w.x0, w.x1);
+    axis(g[1], w.y0, w.y1);
+}
+
+template <class Emit>
+void sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
+    const std::int32_t half = spec.half_px();
+    const auto centre = [&](int p) {
+        return (2 * (p - half) + 1) * (1 << (raster_fraction - 1));
+    };
+    CentreWindow w;
+    for (int j = 0; j < leaves; ++j) {
+        centre_windows(g, j, half, w);
+        for (int i = 0; i < leaves; ++i) {
+            const auto u = static_cast<std::size_t>(i);
+            if (w.x0[u] > w.x1[u] || w.y0[u] > w.y1[u]) continue;
+            const Corner c00 = corner_at(g, i, j), c10 = corner_at(g, i + 1, j);
+            const Corner c01 = corner_at(g, i, j + 1), c11 = corner_at(g, i + 1, j + 1);
+            for (int py = w.y0[u]; py <= w.y1[u]; ++py) {
+                for (int px = w.x0[u]; px <= w.x1[u]; ++px) {
+                    const std::int32_t x = centre(px), y = centre(py);
+                    std::int64_t z = 0;
+                    if (triangle_depth(c00, c10, c11, x, y, z)) emit(Sample{px, py, x, y, z, i, j});
+                    if (triangle_depth(c00, c11, c01, x, y, z)) emit(Sample{px, py, x, y, z, i, j});
+                }
+            }
+        }
+    }
+}
+
+template <class Emit>
+void sample_leaves(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
+    const std::int64_t half = spec.half_px() * pixel_units;
+    for (int j = 0; j < leaves; ++j) {
+        for (int i = 0; i < leaves; ++i) {
+            const Corner a = corner_at(g, i, j), b = corner_at(g, i + 1, j);
+            const Corner c = corner_at(g, i, j + 1), d = corner_at(g, i + 1, j + 1);
+            const auto mean = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
+                return half_up<std::int64_t>(p + q + r + s, 2);
+            };
+            const std::int64_t x = mean(a.x, b.x, c.x, d.x), y = mean(a.y, b.y, c.y, d.y);
+            const std::int64_t px = (x + half) >> raster_fraction;
+            const std::int64_t py = (y + half) >> raster_fraction;
+            if (px < 0 || py < 0 || px >= spec.size_px() || py >= spec.size_px()) continue;
+            emit(Sample{static_cast<int>(px), static_cast<int>(py), static_cast<std::int32_t>(x),
+                        static_cast<std::int32_t>(y), mean(a.z, b.z, c.z, d.z), i, j});
+        }
+    }
+}
+
+// A sample's Z code; false where it lies before the near plane or behind the far one.
+constexpr bool depth_code(std::int64_t z, const hw::MachineSpec& spec, std::uint32_t& code) {
+    const std::int64_t c =
+        fixed::round_shift(z, depth_guard(spec), spec.depth_rounding) + spec.depth_offset();
+    if (c < 0 || c > spec.background()) return false;
+    code = static_cast<std::uint32_t>(std::min<std::int64_t>(c, spec.deepest_drawn()));
+    return true;
+}
+
+}  // namespace umbra78::raster

@@ -1,0 +1,54 @@
+// What is drawn: spheres, planes and bicubic Bezier patches in world words, and their materials.
+//
+// World: right-handed, x right, y up, z toward an observer at azimuth 0. World words are Q15.16.
+// A patch's control point (i, j) is control[4 j + i], i along u, j along v.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace umbra78::raster {
+
+inline constexpr int world_fraction = 16;
+
+struct World {
+    std::int32_t x, y, z;  // Q15.16
+    constexpr bool operator==(const World&) const = default;
+};
+
+// Levels are counts of the 8-bit intensity plane.
+struct Material {
+    std::int32_t diffuse = 200;      // level of a surface facing the light, 0..255
+    std::int32_t specular = 55;      // level added in the highlight, 0..255
+    std::int32_t shininess = 5;      // the highlight's exponent is 2^shininess, 0..8
+};
+
+struct Patch {
+    std::array<World, 16> control{};
+    std::uint16_t material = 0;
+};
+
+struct Sphere {
+    World centre{};
+    std::int32_t radius = 0;  // Q15.16
+    std::uint16_t material = 0;
+};
+
+// A finite parallelogram: origin + s u + t v, 0 <= s, t <= 1.
+struct Plane {
+    World origin{}, u{}, v{};
+    std::uint16_t material = 0;
+};
+
+inline constexpr int patches_per_sphere = 32;
+
+// Eight patches round the vertical axis by four from pole to pole, each the product of two cubic
+// arcs of 45 degrees with the handle 4/3 tan(45/4 degrees). A cubic arc of 90 degrees stands up to
+// 0.027 % outside its circle; one of 45 degrees 64 times less, a twentieth of a quantum here.
+void sphere_patches(const Sphere& s, std::span<Patch, patches_per_sphere> out);
+
+// The plane as one patch with evenly spaced control points.
+Patch plane_patch(const Plane& p);
+
+}  // namespace umbra78::raster

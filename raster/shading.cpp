@@ -1,0 +1,131 @@
+#include "raster/shading.hpp"
+
+#include "fixed/root.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace umbra78::raster {
+namespace {
+
+using fixed::Rounding;
+
+constexpr std::int64_t one_q14 = std::int64_t{1} << unit_fraction;
+
+// Brings the largest component to at most `bits` bits, so that what follows fits 64.
+Vector scaled_to(Vector v, int bits) {
+    std::uint64_t largest = 0;
+    for (const std::int64_t c : v) largest = std::max(largest, fixed::magnitude(c));
+    const int down = static_cast<int>(std::bit_width(largest)) - bits;
+    if (down > 0)
+        for (std::int64_t& c : v) c = fixed::round_shift(c, down, Rounding::half_up);
+    return v;
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+bool is_zero(const Vector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+
+// Three times the derivative at one end of a curve with ends a and b:
+// 3 f'(0) = 3 (f1 - f0) - 8 g0 - 4 g1,   3 f'(1) = 3 (f1 - f0) + 4 g0 + 8 g1.
+std::int64_t tangent(const std::array<std::int64_t, 4>& f, const std::array<std::int64_t, 4>& g,
+                     std::size_t a, std::size_t b, bool at_b) {
+    const std::int64_t chord = 3 * (f[b] - f[a]);
+    return at_b ? chord + 4 * g[a] + 8 * g[b] : chord - 8 * g[a] - 4 * g[b];
+}
+
+Vector tangent_u(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
+    Vector t{};
+    for (std::size_t k = 0; k < 3; ++k) t[k] = tangent(w[k].f, w[k].gu, 2 * v, 2 * v + 1, u == 1);
+    return t;
+}
+
+Vector tangent_v(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
+    Vector t{};
+    for (std::size_t k = 0; k < 3; ++k) t[k] = tangent(w[k].f, w[k].gv, u, u + 2, v == 1);
+    return t;
+}
+
+// Where an edge has collapsed (a pole) its tangent is 0: the opposite edge's stands in.
+Unit corner_normal(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
+    Vector tu = tangent_u(w, v, u), tv = tangent_v(w, v, u);
+    if (is_zero(tu)) tu = tangent_u(w, 1 - v, u);
+    if (is_zero(tv)) tv = tangent_v(w, v, 1 - u);
+    return unit(cross(scaled_to(tu, 30), scaled_to(tv, 30)));
+}
+
+// The bilinear mean at the centre of leaf (i, j), times 1024.
+template <class Corner>
+Vector at_leaf(const std::array<Corner, 4>& c, int i, int j) {
+    const std::int64_t u = 2 * i + 1, v = 2 * j + 1;
+    Vector m{};
+    for (std::size_t k = 0; k < 3; ++k)
+        m[k] = (32 - v) * ((32 - u) * c[0][k] + u * c[1][k]) +
+               v * ((32 - u) * c[2][k] + u * c[3][k]);
+    return m;
+}
+
+Vector wide(const Unit& u) { return {u[0], u[1], u[2]}; }
+
+}  // namespace
+
+Unit unit(Vector v) {
+    v = scaled_to(v, 30);
+    const std::int64_t length = fixed::isqrt(static_cast<std::uint64_t>(dot(v, v)));
+    if (length == 0) return {};
+    Unit out{};
+    for (std::size_t k = 0; k < 3; ++k)
+        out[k] = static_cast<std::int32_t>(
+            fixed::round_divide(v[k] * one_q14, length, Rounding::half_up));
+    return out;
+}
+
+BlockShading::BlockShading(const std::array<Component, 3>& world, const ShadingSpec& spec,
+                           const Material& material)
+    : spec_(spec), material_(material) {
+    for (std::size_t v = 0; v < 2; ++v) {
+        for (std::size_t u = 0; u < 2; ++u) {
+            normal_[2 * v + u] = corner_normal(world, v, u);
+            for (std::size_t k = 0; k < 3; ++k) place_[2 * v + u][k] = world[k].f[2 * v + u];
+        }
+    }
+}
+
+Unit BlockShading::direction(const Toward& toward, int i, int j) const {
+    if (!toward.to_point) return toward.direction;
+    Vector away = at_leaf(place_, i, j);
+    for (std::size_t k = 0; k < 3; ++k) away[k] = 1024 * toward.point[k] - away[k];
+    return unit(away);
+}
+
+std::uint8_t BlockShading::level(int i, int j, bool in_shadow) const {
+    const Vector n = at_leaf(normal_, i, j);  // Q.24
+    const std::int64_t length =
+        std::max<std::int64_t>(fixed::isqrt(static_cast<std::uint64_t>(dot(n, n))), 1);
+    const Vector l = wide(direction(spec_.light, i, j)), v = wide(direction(spec_.viewer, i, j));
+    const auto cosine = [&](const Vector& d) {
+        return fixed::round_divide(dot(n, d), length, Rounding::floor);
+    };
+    std::int64_t nv = cosine(v), nl = cosine(l);
+    if (nv < 0) {
+        nv = -nv;
+        nl = -nl;
+    }
+    const bool lit = nl > 0 && !in_shadow;
+    const std::int64_t direct = lit ? (256 - spec_.ambient_q8) * nl : 0;
+    std::int64_t sum = material_.diffuse * (spec_.ambient_q8 * one_q14 + direct);  // Q.22
+    if (lit) {
+        const std::int64_t lv = fixed::round_shift(dot(l, v), 14, Rounding::floor);
+        std::int64_t rv = fixed::round_shift(2 * nl * nv, 14, Rounding::floor) - lv;
+        rv = std::clamp<std::int64_t>(rv, 0, one_q14);
+        for (int k = 0; k < material_.shininess; ++k)
+            rv = fixed::round_shift(rv * rv, 14, Rounding::half_up);
+        sum += material_.specular * rv * 256;
+    }
+    return static_cast<std::uint8_t>(
+        std::min<std::int64_t>(fixed::round_shift(sum, 22, Rounding::half_up), 255));
+}
+
+}  // namespace umbra78::raster

@@ -1,0 +1,216 @@
+#include "raster/view.hpp"
+
+#include "fixed/root.hpp"
+#include "fixed/sine.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace umbra78::raster {
+namespace {
+
+using fixed::Rounding;
+
+constexpr std::int64_t one_q30 = std::int64_t{1} << 30;
+constexpr std::int64_t one_q16 = std::int64_t{1} << 16;
+
+std::int32_t product(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(
+        fixed::round_shift(std::int64_t{a} * b, 30, Rounding::half_even));
+}
+
+Rational q30(std::int32_t word) { return Rational(word, one_q30); }
+Rational q16(std::int64_t word) { return Rational(word, one_q16); }
+
+using Vector = std::array<Rational, 3>;
+
+Vector axis(const Axis& a) { return {q30(a[0]), q30(a[1]), q30(a[2])}; }
+
+Rational dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// The point that matrices measure from: the target, or the eye of a perspective view.
+Vector origin(const View& v) {
+    Vector o{q16(v.target.x), q16(v.target.y), q16(v.target.z)};
+    if (v.projection == Projection::perspective) {
+        const Vector back = axis(v.frame.back);
+        for (std::size_t k = 0; k < 3; ++k) o[k] += q16(v.distance) * back[k];
+    }
+    return o;
+}
+
+// Pixels a world unit at the target (orthographic: everywhere), times `distance` in perspective.
+Rational focal(const View& v, const MachineSpec& spec) {
+    const Rational scale = Rational(spec.half_px()) / q16(v.extent);
+    return v.projection == Projection::perspective ? scale * q16(v.distance) : scale;
+}
+
+// scale (a, -a . o)
+std::array<Rational, 4> plane_row(const Vector& a, const Vector& o, const Rational& scale) {
+    return {scale * a[0], scale * a[1], scale * a[2], -(scale * dot(a, o))};
+}
+
+Vector negated(const Vector& v) { return {-v[0], -v[1], -v[2]}; }
+
+// v / |v| in Q2.30, for components of at most 33 bits.
+Axis normalized(std::array<std::int64_t, 3> v) {
+    std::uint64_t largest = 0;
+    for (const std::int64_t c : v) largest = std::max(largest, fixed::magnitude(c));
+    // Scale to 31 bits, so that the squares' sum keeps 64 and the root 32.
+    const int up = 31 - static_cast<int>(std::bit_width(largest));
+    std::uint64_t sum = 0;
+    for (std::int64_t& c : v) {
+        c = fixed::scale_shift(c, -up + 1, Rounding::half_even);
+        sum += static_cast<std::uint64_t>(c * c);
+    }
+    const std::int64_t length = fixed::isqrt(sum);
+    Axis out{};
+    for (std::size_t k = 0; k < 3; ++k)
+        out[k] = static_cast<std::int32_t>(
+            fixed::round_divide(v[k] * one_q30, length, Rounding::half_even));
+    return out;
+}
+
+}  // namespace
+
+Frame frame_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16) {
+    const fixed::SineCosine a = fixed::sine_cosine(azimuth_q16);
+    const fixed::SineCosine b = fixed::sine_cosine(elevation_q16);
+    return {{a.cosine, 0, -a.sine},
+            {-product(a.sine, b.sine), b.cosine, -product(a.cosine, b.sine)},
+            {product(a.sine, b.cosine), b.sine, product(a.cosine, b.cosine)}};
+}
+
+bool frame_from_points(const World& from, const World& to, Frame& out) {
+    const std::array<std::int64_t, 3> v{std::int64_t{from.x} - to.x, std::int64_t{from.y} - to.y,
+                                        std::int64_t{from.z} - to.z};
+    if (v[0] == 0 && v[1] == 0 && v[2] == 0) return false;
+    out.back = normalized(v);
+    if (v[0] == 0 && v[2] == 0) {
+        out.right = {static_cast<std::int32_t>(one_q30), 0, 0};
+    } else {
+        out.right = normalized({v[2], 0, -v[0]});
+    }
+    // up = back x right; right has no vertical part.
+    const Axis& b = out.back;
+    const Axis& r = out.right;
+    out.up = {product(b[1], r[2]), product(b[2], r[0]) - product(b[0], r[2]),
+              -product(b[1], r[0])};
+    return true;
+}
+
+DepthRange depth_range(const View& view, std::span<const Patch> patches) {
+    const Vector toward = negated(axis(view.frame.back));
+    const Rational offset = dot(toward, origin(view));
+    DepthRange range{INT64_MAX, INT64_MIN};
+    for (const Patch& patch : patches) {
+        for (const World& p : patch.control) {
+            // Integers suffice: depth 2^46 = sum of Q30 x Q16 products.
+            const std::int64_t d = -(std::int64_t{view.frame.back[0]} * p.x +
+                                     std::int64_t{view.frame.back[1]} * p.y +
+                                     std::int64_t{view.frame.back[2]} * p.z);
+            range.least = std::min(range.least, d);
+            range.greatest = std::max(range.greatest, d);
+        }
+    }
+    if (patches.empty()) return {0, 0};
+    const auto word = [&](std::int64_t q46, Rounding rounding) {
+        std::int64_t out = 0;
+        (Rational(q46, one_q30 * one_q16) - offset).round_scaled(16, rounding, out);
+        return out;
+    };
+    return {word(range.least, Rounding::floor), word(range.greatest, Rounding::ceiling)};
+}
+
+void fit_depth(View& view, const DepthRange& scene) {
+    if (view.projection == Projection::orthographic) {
+        const std::int64_t reach =
+            std::max({std::int64_t{view.extent}, -scene.least, scene.greatest + 1});
+        view.near_depth = -reach;
+        view.far_depth = reach;
+        return;
+    }
+    view.far_depth = std::max<std::int64_t>(scene.greatest + scene.greatest / 64 + 1, 1024);
+    view.near_depth = std::max(scene.least - scene.least / 64 - 1, view.far_depth / 1024);
+    if (view.near_depth >= view.far_depth) view.near_depth = view.far_depth / 1024;
+}
+
+RationalMatrix world_to_screen(const View& view, const MachineSpec& spec) {
+    const Vector o = origin(view);
+    const Vector away = negated(axis(view.frame.back));
+    const Rational near = q16(view.near_depth), far = q16(view.far_depth);
+    const Rational h = spec.half_px();
+    const Rational scale = focal(view, spec);
+    RationalMatrix m;
+    m[0] = plane_row(axis(view.frame.right), o, scale);
+    m[1] = plane_row(negated(axis(view.frame.up)), o, scale);
+    if (view.projection == Projection::orthographic) {
+        // z = h (2 (d - near) / (far - near) - 1)
+        m[2] = plane_row(away, o, h * Rational(2) / (far - near));
+        m[2][3] -= h * (far + near) / (far - near);
+        m[3] = {0, 0, 0, 1};
+    } else {
+        // z = h ((far + near) d - 2 far near) / ((far - near) d),  w = d
+        m[2] = plane_row(away, o, h * (far + near) / (far - near));
+        m[2][3] -= h * Rational(2) * far * near / (far - near);
+        m[3] = plane_row(away, o, 1);
+    }
+    return m;
+}
+
+RationalMatrix screen_to_world(const View& view, const MachineSpec& spec) {
+    const Vector o = origin(view);
+    const Vector right = axis(view.frame.right), up = axis(view.frame.up);
+    const Vector back = axis(view.frame.back);
+    const Rational near = q16(view.near_depth), far = q16(view.far_depth);
+    const Rational h = spec.half_px();
+    const Rational scale = focal(view, spec);
+    RationalMatrix m;
+    for (std::size_t k = 0; k < 3; ++k) {
+        m[k][0] = right[k] / scale;
+        m[k][1] = -(up[k] / scale);
+        if (view.projection == Projection::orthographic) {
+            // d = (far + near) / 2 + z (far - near) / (2 h)
+            m[k][2] = -(back[k] * (far - near) / (Rational(2) * h));
+            m[k][3] = o[k] - back[k] * (far + near) / Rational(2);
+        } else {
+            // 1 / d = (a - z) / b; the homogeneous point is the world point over d.
+            const Rational b = Rational(2) * h * far * near / (far - near);
+            m[k][2] = -(o[k] / b);
+            m[k][3] = o[k] * (far + near) / (Rational(2) * far * near) - back[k];
+        }
+    }
+    if (view.projection == Projection::orthographic) {
+        m[3] = {0, 0, 0, 1};
+    } else {
+        m[3] = {0, 0, -((far - near) / (Rational(2) * h * far * near)),
+                (far + near) / (Rational(2) * far * near)};
+    }
+    return m;
+}
+
+RationalMatrix multiply(const RationalMatrix& a, const RationalMatrix& b) {
+    RationalMatrix m;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (!a[i][k].is_zero() && !b[k][j].is_zero()) m[i][j] += a[i][k] * b[k][j];
+            }
+        }
+    }
+    return m;
+}
+
+RationalMatrix observer_to_light(const View& observer, const View& light, const MachineSpec& spec,
+                                 std::int64_t bias_q16) {
+    RationalMatrix m = multiply(world_to_screen(light, spec), screen_to_world(observer, spec));
+    const int fraction = spec.depth_fraction();
+    const Rational quantum_px = fraction >= 0 ? Rational(1, std::int64_t{1} << fraction)
+                                              : Rational(std::int64_t{1} << -fraction);
+    const Rational bias_px = q16(bias_q16) * quantum_px;
+    for (std::size_t j = 0; j < 4; ++j) m[2][j] -= bias_px * m[3][j];
+    return m;
+}
+
+}  // namespace umbra78::raster

@@ -1,0 +1,79 @@
+// Views: where the observer or the light stands, and the exact matrices that follow from it.
+//
+// A view looks along -back at `target`. Its frame, with azimuth a to the right about the vertical
+// axis and elevation b above the horizon:
+//
+//   right = (cos a, 0, -sin a)
+//   up    = (-sin a sin b, cos b, -cos a sin b)
+//   back  = (sin a cos b, sin b, cos a cos b)          toward the viewer
+//
+// Screen space: x right, y down, z away, in pixels from the centre of the cube. An orthographic
+// view shows `extent` world units from the centre to the frame's edge; a perspective one does so
+// at the target, from an eye `distance` in front of it. Depth is measured along -back, from the
+// target (orthographic) or from the eye (perspective); near maps to the first Z code, far to 2^z.
+//
+// Matrices are exact rationals of the scene's words (sines are Q2.30 words); the only rounding is
+// hw::load_matrix's. Not emulated: how a host of 1978 made them, in what precision.
+#pragma once
+
+#include "hw/transform_unit.hpp"
+#include "raster/scene.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace umbra78::raster {
+
+using hw::MachineSpec;
+using hw::Rational;
+using hw::RationalMatrix;
+
+enum class Projection : std::uint8_t { orthographic, perspective };
+
+using Axis = std::array<std::int32_t, 3>;  // Q2.30
+
+struct Frame {
+    Axis right, up, back;
+};
+
+// Angles in degrees, Q15.16. Products of sines are rounded half even to Q2.30.
+Frame frame_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
+
+// The frame that looks from `from` to `to`, for lights that are given by position. False if the
+// two coincide; straight above or below, right is (1, 0, 0).
+bool frame_from_points(const World& from, const World& to, Frame& out);
+
+struct View {
+    Projection projection = Projection::orthographic;
+    Frame frame{};
+    World target{};
+    std::int32_t extent = 0;       // Q15.16, > 0
+    std::int32_t distance = 0;     // Q15.16, perspective only, > 0
+    std::int64_t near_depth = 0;   // Q.16
+    std::int64_t far_depth = 0;    // Q.16, > near_depth (> 0 in perspective)
+};
+
+// Least and greatest depth of the patches' control points in the view, Q.16, rounded outward.
+struct DepthRange {
+    std::int64_t least, greatest;
+};
+DepthRange depth_range(const View& view, std::span<const Patch> patches);
+
+// Near and far where the scene file gives none. Orthographic: the cube, +-extent, so that a Z
+// quantum is 2^-depth_fraction pixel; if the scene reaches out of it, the least symmetric range
+// that holds the scene. Perspective: the scene's range and 1/64 of it on either side, near at
+// least far / 1024.
+void fit_depth(View& view, const DepthRange& scene);
+
+// World units (not words) to homogeneous screen pixels, and back.
+RationalMatrix world_to_screen(const View& view, const MachineSpec& spec);
+RationalMatrix screen_to_world(const View& view, const MachineSpec& spec);
+RationalMatrix multiply(const RationalMatrix& a, const RationalMatrix& b);
+
+// The one matrix of the shadow post-process: observer's screen to light's screen, with the bias
+// (in the light's Z quanta, 16 fraction bits) taken from Z.
+RationalMatrix observer_to_light(const View& observer, const View& light, const MachineSpec& spec,
+                                 std::int64_t bias_q16);
+
+}  // namespace umbra78::raster

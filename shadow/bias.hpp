@@ -1,0 +1,25 @@
+// The bias in its three units: light-map Z quanta, light-map texels, world units.
+//
+// A texel is the light map's pixel at the light's target; world units are measured along the
+// light's direction there. With t pixels a world unit and q quanta a world unit at the target,
+//   quanta = texels q / t = world q.
+// In a perspective light q = 2^z_bits far near / ((far - near) distance^2).
+#pragma once
+
+#include "raster/view.hpp"
+#include "shadow/settings.hpp"
+
+#include <cstdint>
+
+namespace umbra78::shadow {
+
+struct BiasUnits {
+    hw::Rational quanta_per_world, texels_per_world;
+};
+
+BiasUnits bias_units(const raster::View& light, const hw::MachineSpec& spec);
+
+// The setting's bias in quanta, Q.16, rounded half even; false if it does not fit.
+bool bias_in_quanta(const Settings& settings, const BiasUnits& units, std::int64_t& quanta_q16);
+
+}  // namespace umbra78::shadow

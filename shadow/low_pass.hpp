@@ -1,0 +1,20 @@
+// The low-pass filter: 1 2 1 / 2 4 2 / 1 2 1 over 16, on the result of the shadow test.
+//
+// Depths must never be filtered before the comparison; the mask may be (Williams 1978, p. 273).
+// A neighbour that is background or beyond the frame counts as the pixel itself, so a shadow does
+// not fade toward a silhouette. The sum is rounded half up.
+#pragma once
+
+#include "hw/frame_store.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace umbra78::shadow {
+
+// One pass; `observer` tells what is background, which comes out 0. Spans must not overlap.
+template <class Depth>
+void low_pass(std::span<const std::uint8_t> mask, const hw::FrameStore<Depth>& observer,
+              Depth background, std::span<std::uint8_t> out);
+
+}  // namespace umbra78::shadow

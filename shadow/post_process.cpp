@@ -1,0 +1,67 @@
+#include "shadow/post_process.hpp"
+
+#include "hw/divider.hpp"
+
+#include <algorithm>
+
+namespace umbra78::shadow {
+
+template <class Depth>
+PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
+                               const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
+                               const Settings& settings, std::span<std::uint8_t> mask) {
+    const hw::MachineSpec& spec = settings.machine;
+    const hw::TransformUnit unit(spec, matrix);
+    const LightMap<Depth> map{light, spec, settings.lookup, settings.background};
+    const bool dithered = settings.dither.shape != hw::DitherShape::none;
+    PostProcessCounts counts;
+    for (int y = 0; y < spec.size_px(); ++y) {
+        // The noise is clocked at every pixel, visible or not.
+        hw::Dither dither = settings.dither;
+        if (!dithered) dither.shape = hw::DitherShape::uniform;
+        hw::NoiseSource noise(dither, spec, 0, y);
+        for (int x = 0; x < spec.size_px(); ++x) {
+            const hw::DitherWords d = dithered ? noise.next() : hw::DitherWords{0, 0};
+            const std::size_t a = observer.address(x, y);
+            const std::uint32_t code = observer.depth[a];
+            mask[a] = mask_lit;
+            if (code == spec.background()) continue;
+            ++counts.visible;
+            if (!in_shadow(map, unit(pixel_words(x, y, code, settings)), d)) continue;
+            ++counts.shadowed;
+            mask[a] = mask_shadow;
+        }
+    }
+    return counts;
+}
+
+template PostProcessCounts post_process(const hw::FrameStore<hw::Depth16>&,
+                                        const hw::FrameStore<hw::Depth16>&,
+                                        const hw::MatrixWords&, const Settings&,
+                                        std::span<std::uint8_t>);
+template PostProcessCounts post_process(const hw::FrameStore<hw::Depth32>&,
+                                        const hw::FrameStore<hw::Depth32>&,
+                                        const hw::MatrixWords&, const Settings&,
+                                        std::span<std::uint8_t>);
+
+std::uint64_t PostProcessCycles::overlapped() const {
+    return std::max({read, transform, divide, lookup, write});
+}
+
+PostProcessCycles post_process_cycles(std::uint64_t visible, const Settings& settings,
+                                      bool affine) {
+    const hw::MachineSpec& spec = settings.machine;
+    const std::uint64_t pixels = std::uint64_t{1} << (2 * spec.xy_bits);
+    const hw::UnitCost unit = hw::transform_cost(spec, affine);
+    PostProcessCycles c;
+    c.read = pixels;
+    c.write = pixels;
+    if (visible == 0) return c;
+    c.transform = static_cast<std::uint64_t>(unit.latency_cycles) +
+                  (visible - 1) * static_cast<std::uint64_t>(unit.cycles_per_point);
+    if (!affine) c.divide = visible * static_cast<std::uint64_t>(hw::serial_divide_cycles(spec));
+    c.lookup = visible * (settings.lookup == Lookup::bilinear ? 4 : 1);
+    return c;
+}
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,236 @@
+// The post-process a scan line at a time.
+//
+// An affine result is floor((c_x x + c_y y + c_z z + c_1 one + half) / 2^S). On a scan line only x
+// and z change, so the sum is a column's share, a row's share and c_z z. Each share is split at
+// the binary point into a whole part and S low bits; the low bits and c_z z fit 32 bits together,
+// and floor(a 2^S + b) / 2^S = a + floor(b / 2^S) makes the result exact in 32-bit lanes.
+
+#include "shadow/post_process.hpp"
+
+#include "fixed/dither.hpp"
+
+#include <algorithm>
+
+namespace umbra78::shadow {
+namespace {
+
+using fixed::Rounding;
+
+// With 35-bit accumulators a shift of 6 leaves results of 29 bits, and low parts of 28 bits leave
+// room for two of them and a 31-bit product.
+constexpr int least_shift = 6;
+constexpr int greatest_shift = 28;
+
+struct Rounded {
+    int shift;
+    std::int64_t half;  // added before the floor
+};
+
+int output_fraction(const hw::MachineSpec& m, std::size_t row) {
+    return row == 2 ? m.depth_fraction() : m.fraction_bits;
+}
+
+Rounded rounded(const Settings& s, const hw::MatrixWords& matrix, std::size_t row) {
+    const int shift = hw::affine_shift(matrix, static_cast<hw::Row>(row), s.machine,
+                                       hw::screen_words(s.machine),
+                                       output_fraction(s.machine, row));
+    const bool half_up = s.machine.transform_rounding == Rounding::half_up && shift > 0;
+    return {shift, half_up ? std::int64_t{1} << (shift - 1) : 0};
+}
+
+// The row's share of a result: what does not change along the scan line, and c_z.
+struct RowShare {
+    std::int32_t high, low, z_coefficient;
+    int shift;
+};
+
+std::array<RowShare, 3> row_shares(const Settings& s, const hw::MatrixWords& m, int y) {
+    std::array<RowShare, 3> out{};
+    const std::int64_t one = s.machine.one_word();
+    for (std::size_t r = 0; r < 3; ++r) {
+        const Rounded k = rounded(s, m, r);
+        const std::int64_t v = std::int64_t{m.word[r][1]} * pixel_words(0, y, 0, s).y +
+                               m.word[r][3] * one + k.half;
+        out[r] = {static_cast<std::int32_t>(v >> k.shift),
+                  static_cast<std::int32_t>(v & ((std::int64_t{1} << k.shift) - 1)),
+                  m.word[r][2], k.shift};
+    }
+    return out;
+}
+
+void column_shares(const Settings& s, const hw::MatrixWords& m, RowMemory& memory) {
+    for (std::size_t r = 0; r < 3; ++r) {
+        const int shift = rounded(s, m, r).shift;
+        for (int x = 0; x < s.machine.size_px(); ++x) {
+            const std::int64_t v = std::int64_t{m.word[r][0]} * pixel_words(x, 0, 0, s).x;
+            const auto i = static_cast<std::size_t>(x);
+            memory.column_high[r][i] = static_cast<std::int32_t>(v >> shift);
+            memory.column_low[r][i] =
+                static_cast<std::int32_t>(v & ((std::int64_t{1} << shift) - 1));
+        }
+    }
+}
+
+void transform_row(const hw::Depth16* depth, std::size_t n, const std::array<RowShare, 3>& share,
+                   std::int32_t offset, int z_up, RowMemory& memory) {
+    for (std::size_t r = 0; r < 3; ++r) {
+        const RowShare k = share[r];
+        const auto& high = memory.column_high[r];
+        const auto& low = memory.column_low[r];
+        auto& out = memory.result[r];
+        for (std::size_t x = 0; x < n; ++x) {
+            const std::int32_t z = (depth[x] - offset) * (1 << z_up);
+            out[x] = high[x] + k.high + ((low[x] + k.low + k.z_coefficient * z) >> k.shift);
+        }
+    }
+}
+
+void add_dither(const Settings& s, int y, std::size_t n, RowMemory& memory) {
+    const hw::Dither& d = s.dither;
+    if (d.shape != hw::DitherShape::normal) {
+        hw::NoiseSource noise(d, s.machine, 0, y);
+        for (std::size_t x = 0; x < n; ++x) {
+            const hw::DitherWords w = noise.next();
+            memory.result[0][x] += w.x;
+            memory.result[1][x] += w.y;
+        }
+        return;
+    }
+    // Four bytes a word: a pixel's bits are one step of the 64-bit stream.
+    const std::int32_t amplitude = fixed::dither_amplitude(4, d.size_q8, s.machine.fraction_bits);
+    fixed::NoiseRegister start(d.seed);
+    start.jump((static_cast<std::uint64_t>(y) << s.machine.xy_bits) * 64);
+    fixed::NoiseStream64 stream(start);
+    for (std::size_t x = 0; x < n; ++x) {
+        const std::uint64_t bits = stream.next64();
+        const auto word = [&](std::uint64_t four) {
+            return fixed::dither_word(fixed::sum_of_uniforms(four, 4), 4, amplitude);
+        };
+        memory.result[0][x] += word(bits & 0xffffffff);
+        memory.result[1][x] += word(bits >> 32);
+    }
+}
+
+// Nearest: the address of the texel, and the code or -1 where the pixel is lit for sure.
+void nearest_addresses(const hw::Depth16* depth, std::size_t n, const hw::MachineSpec& m,
+                       RowMemory& memory) {
+    const std::int32_t edge = m.half_px() << m.fraction_bits, f = m.fraction_bits;
+    const auto offset = static_cast<std::int32_t>(m.depth_offset());
+    const auto deepest = static_cast<std::uint32_t>(m.deepest_drawn());
+    const auto none = static_cast<std::int32_t>(m.background());
+    auto& [X, Y, Z] = memory.result;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto x = static_cast<std::uint32_t>(X[i] + edge);
+        const auto y = static_cast<std::uint32_t>(Y[i] + edge);
+        const std::int32_t code = Z[i] + offset;
+        const auto limit = static_cast<std::uint32_t>(2 * edge);
+        const bool in = (x < limit) & (y < limit) &
+                        (static_cast<std::uint32_t>(code) <= deepest) & (depth[i] != none);
+        const auto address = static_cast<std::int32_t>(((y >> f) << m.xy_bits) + (x >> f));
+        memory.address[i] = in ? address : 0;
+        Z[i] = in ? code : -1;
+    }
+}
+
+std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<hw::Depth16>& light,
+                          std::size_t n, const hw::MachineSpec& m, RowMemory& memory,
+                          std::uint8_t* mask) {
+    nearest_addresses(depth, n, m, memory);
+    std::uint64_t shadowed = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool shadow =
+            memory.result[2][i] > light.depth[static_cast<std::size_t>(memory.address[i])];
+        mask[i] = shadow ? mask_shadow : mask_lit;
+        shadowed += shadow;
+    }
+    return shadowed;
+}
+
+std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::Depth16>& light,
+                           std::size_t n, const Settings& s, RowMemory& memory,
+                           std::uint8_t* mask) {
+    const hw::MachineSpec& m = s.machine;
+    const LightMap<hw::Depth16> map{light, m, Lookup::bilinear, s.background};
+    const std::int32_t one = 1 << m.fraction_bits, f = m.fraction_bits;
+    const std::int32_t last = m.size_px() - 1, half = m.half_px();
+    const auto offset = static_cast<std::int32_t>(m.depth_offset());
+    const hw::Depth16* texels = light.depth.data();
+    std::uint64_t shadowed = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        bool shadow = false;
+        const std::int32_t x = memory.result[0][i], y = memory.result[1][i];
+        const std::int32_t code = memory.result[2][i] + offset;
+        const std::int32_t cx = x - one / 2, cy = y - one / 2;
+        const std::int32_t tx = (cx >> f) + half, ty = (cy >> f) + half;
+        if (depth[i] == m.background()) {
+            // nothing drawn
+        } else if (s.background == Background::blend && tx >= 0 && ty >= 0 && tx < last &&
+                   ty < last && code >= 0 &&
+                   code <= static_cast<std::int32_t>(m.deepest_drawn())) {
+            const hw::Depth16* t = texels + (static_cast<std::size_t>(ty) << m.xy_bits) + tx;
+            const auto fx = static_cast<std::uint32_t>(cx & (one - 1));
+            const auto fy = static_cast<std::uint32_t>(cy & (one - 1));
+            const std::uint32_t wx = static_cast<std::uint32_t>(one) - fx;
+            const std::uint32_t wy = static_cast<std::uint32_t>(one) - fy;
+            const std::uint32_t blend =
+                wy * (wx * t[0] + fx * t[1]) +
+                fy * (wx * t[m.size_px()] + fx * t[m.size_px() + 1]);
+            shadow = static_cast<std::uint32_t>(code) << (2 * f) > blend;
+        } else {
+            // At the map's edge, outside the volume, or falling back: the definition itself.
+            shadow = in_shadow(map, hw::Point{x, y, memory.result[2][i], hw::DivideStatus::ok},
+                               hw::DitherWords{0, 0});
+        }
+        mask[i] = shadow ? mask_shadow : mask_lit;
+        shadowed += shadow;
+    }
+    return shadowed;
+}
+
+}  // namespace
+
+bool rows_cover(const Settings& settings, const hw::MatrixWords& matrix) {
+    const hw::MachineSpec& m = settings.machine;
+    if (!matrix.affine || m.size_px() > widest_row || m.z_bits > 16 || m.word_bits() > 16 ||
+        m.coefficient_bits > 16 || m.fraction_bits > 7 || m.fraction_bits < 1)
+        return false;
+    if (m.transform_rounding != Rounding::half_up && m.transform_rounding != Rounding::floor)
+        return false;
+    for (std::size_t r = 0; r < 3; ++r) {
+        const int shift = rounded(settings, matrix, r).shift;
+        if (shift < least_shift || shift > greatest_shift) return false;
+    }
+    return true;
+}
+
+PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
+                                    const hw::FrameStore<hw::Depth16>& light,
+                                    const hw::MatrixWords& matrix, const Settings& settings,
+                                    RowMemory& memory, std::span<std::uint8_t> mask) {
+    const hw::MachineSpec& m = settings.machine;
+    const auto n = static_cast<std::size_t>(m.size_px());
+    const auto none = static_cast<hw::Depth16>(m.background());
+    column_shares(settings, matrix, memory);
+    PostProcessCounts counts;
+    for (int y = 0; y < m.size_px(); ++y) {
+        const hw::Depth16* depth = observer.depth.data() + observer.address(0, y);
+        std::uint8_t* out = mask.data() + observer.address(0, y);
+        std::uint32_t visible = 0;
+        for (std::size_t x = 0; x < n; ++x) visible += depth[x] != none;
+        if (visible == 0) {  // background alone: nothing to transform, no noise to draw
+            std::fill_n(out, n, mask_lit);
+            continue;
+        }
+        counts.visible += visible;
+        transform_row(depth, n, row_shares(settings, matrix, y),
+                      static_cast<std::int32_t>(m.depth_offset()),
+                      m.input_fraction() - m.depth_fraction(), memory);
+        if (settings.dither.shape != hw::DitherShape::none) add_dither(settings, y, n, memory);
+        counts.shadowed += settings.lookup == Lookup::nearest
+                               ? nearest_row(depth, light, n, m, memory, out)
+                               : bilinear_row(depth, light, n, settings, memory, out);
+    }
+    return counts;
+}
+
+}  // namespace umbra78::shadow

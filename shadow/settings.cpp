@@ -1,0 +1,121 @@
+#include "shadow/settings.hpp"
+
+#include <array>
+
+namespace umbra78::shadow {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 7> rounding_names{
+    "floor", "ceiling", "to_zero", "half_up", "half_to_zero", "half_away", "half_even"};
+constexpr std::array<std::string_view, 2> divide_names{"exact", "round_first"};
+constexpr std::array<std::string_view, 2> sampling_names{"leaf", "centre"};
+constexpr std::array<std::string_view, 2> registration_names{"centre", "index"};
+constexpr std::array<std::string_view, 2> lookup_names{"nearest", "bilinear"};
+constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"};
+constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
+constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal",
+                                                       "normal12"};
+constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
+
+template <auto Get, auto Set>
+constexpr Setting whole(std::string_view key, std::string_view unit, std::int64_t least,
+                        std::int64_t most, std::string_view meaning) {
+    return {key, SettingKind::whole, unit, least, most, 0, {}, meaning, Get, Set};
+}
+template <auto Get, auto Set>
+constexpr Setting decimal(std::string_view key, std::string_view unit, std::int64_t least,
+                          std::int64_t most, int fraction, std::string_view meaning) {
+    return {key, SettingKind::decimal, unit, least, most, fraction, {}, meaning, Get, Set};
+}
+template <auto Get, auto Set>
+constexpr Setting choice(std::string_view key, Names names, std::string_view meaning) {
+    const auto most = static_cast<std::int64_t>(names.size()) - 1;
+    return {key, SettingKind::choice, "", 0, most, 0, names, meaning, Get, Set};
+}
+
+// A setting's two accessors, from the member it stands for.
+#define UMBRA78_ACCESS(member)                                                            \
+    [](const Settings& s) { return static_cast<std::int64_t>(s.member); },                \
+        [](Settings& s, std::int64_t v) { s.member = static_cast<decltype(s.member)>(v); }
+
+constexpr std::array table{
+    whole<UMBRA78_ACCESS(machine.xy_bits)>(
+        "xy_bits", "bits", 4, 12, "X and Y of both frame stores: 2^bits pixels a side"),
+    whole<UMBRA78_ACCESS(machine.z_bits)>(
+        "z_bits", "bits", 4, 24, "Z of both frame stores; all ones is the background"),
+    whole<UMBRA78_ACCESS(machine.coefficient_bits)>(
+        "coefficient_bits", "bits", 8, 32, "a matrix word, Q1.(bits - 2) with an exponent a row"),
+    whole<UMBRA78_ACCESS(machine.fraction_bits)>(
+        "fraction_bits", "bits", 0, 12, "fraction of X and Y behind the transform"),
+    whole<UMBRA78_ACCESS(machine.multipliers)>(
+        "multipliers", "multipliers", 1, 16, "16 x 16 multipliers in the unit: 1, 4 or 16"),
+    choice<UMBRA78_ACCESS(machine.transform_rounding)>(
+        "transform_rounding", rounding_names, "of a transformed coordinate, once per result"),
+    choice<UMBRA78_ACCESS(machine.coefficient_rounding)>(
+        "coefficient_rounding", rounding_names, "of a matrix word"),
+    choice<UMBRA78_ACCESS(machine.depth_rounding)>(
+        "depth_rounding", rounding_names, "of a drawn sample's Z to its code"),
+    choice<UMBRA78_ACCESS(machine.divide_order)>(
+        "divide_order", divide_names,
+        "perspective: round at the quotient, or x and w before it (to show what that costs)"),
+    choice<UMBRA78_ACCESS(sampling)>(
+        "sampling", sampling_names,
+        "a drawn sample: the leaf's centre as it falls, or the surface at the pixel's centre"),
+    choice<UMBRA78_ACCESS(registration)>(
+        "registration", registration_names,
+        "a pixel's coordinate in the post-process: its centre, or its index (half a pixel off)"),
+    choice<UMBRA78_ACCESS(lookup)>("lookup", lookup_names,
+                                   "light-map Z: of one texel, or interpolated between four"),
+    choice<UMBRA78_ACCESS(background)>(
+        "background", background_names,
+        "bilinear lookup beside the background: blend its Z, or fall back to nearest"),
+    decimal<UMBRA78_ACCESS(bias_q16)>(
+        "bias", "bias_unit", -(std::int64_t{1} << 40), std::int64_t{1} << 40, 16,
+        "taken from the transformed Z before it is compared"),
+    choice<UMBRA78_ACCESS(bias_unit)>(
+        "bias_unit", bias_unit_names,
+        "light-map Z quanta, light-map texels, or world units (both measured at the target)"),
+    choice<UMBRA78_ACCESS(dither.shape)>(
+        "dither", dither_names,
+        "noise on the light's X and Y: the sum of 0, 1, 2, 4 or 12 uniform bytes"),
+    decimal<UMBRA78_ACCESS(dither.size_q8)>("dither_size", "texels", 0, 4 << 8, 8,
+                                            "peak to peak: 1 is -0.5 .. +0.5 texel"),
+    whole<UMBRA78_ACCESS(dither.seed)>("dither_seed", "word", 1, 0x7fffffff,
+                                       "first 31 bits of the noise register"),
+    whole<UMBRA78_ACCESS(dequantize_passes)>(
+        "dequantize", "passes", 0, 6, "1-2-1 averages along the shadow's edge chain; 0 is off"),
+    whole<UMBRA78_ACCESS(low_pass_passes)>("low_pass", "passes", 0, 8,
+                                           "3 x 3 binomial low-pass of the mask; 0 is off"),
+    decimal<UMBRA78_ACCESS(ambient_q8)>("ambient", "of 1", 0, 256, 8,
+                                        "light that reaches a surface from everywhere"),
+    decimal<UMBRA78_ACCESS(density_q8)>("density", "of 1", 0, 256, 8,
+                                        "of the translucent shadow: 0 invisible, 1 black"),
+    choice<UMBRA78_ACCESS(form)>(
+        "form", form_names,
+        "test visible pixels behind the picture, or each generated point before it is shaded"),
+};
+
+#undef UMBRA78_ACCESS
+
+constexpr std::array<Profile, 4> profile_table{{
+    {"affine16", "16-bit coefficients, one row a cycle: four multipliers", 16, 4},
+    {"affine16x1", "16-bit coefficients, one multiplier-accumulator", 16, 1},
+    {"affine16x16", "16-bit coefficients, sixteen multipliers", 16, 16},
+    {"perspective24", "24-bit coefficients in two passes, for perspective views", 24, 4},
+}};
+
+}  // namespace
+
+std::span<const Setting> settings_table() { return table; }
+
+const Setting* find_setting(std::string_view key) {
+    for (const Setting& s : table)
+        if (s.key == key) return &s;
+    return nullptr;
+}
+
+std::span<const Profile> profiles() { return profile_table; }
+
+}  // namespace umbra78::shadow

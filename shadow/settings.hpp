@@ -1,0 +1,67 @@
+// Settings: every width and choice of the machine, in one value, and the one table that names them.
+//
+// The table drives the scene file, `--set`, `--help` and the documentation: a setting's key, unit,
+// range, default and meaning stand here and nowhere else.
+#pragma once
+
+#include "hw/machine_spec.hpp"
+#include "hw/noise_source.hpp"
+#include "raster/sampling.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace umbra78::shadow {
+
+// A pixel's coordinate in the post-process: its centre, or its index (half a pixel off).
+enum class Registration : std::uint8_t { centre, index };
+// The light map's Z at a point: of the texel it falls in, or the exact mean of four.
+enum class Lookup : std::uint8_t { nearest, bilinear };
+// What bilinear lookup does beside the background: blends 0xFFFF, or falls back to nearest.
+enum class Background : std::uint8_t { blend, fall_back };
+enum class BiasUnit : std::uint8_t { quanta, texels, world };
+enum class Form : std::uint8_t { post_process, correct };
+
+struct Settings {
+    hw::MachineSpec machine{};
+    raster::Sampling sampling = raster::Sampling::centre;
+    Registration registration = Registration::centre;
+    Lookup lookup = Lookup::nearest;
+    Background background = Background::blend;
+    std::int64_t bias_q16 = 64 << 16;  // in bias_unit, Q.16
+    BiasUnit bias_unit = BiasUnit::quanta;
+    hw::Dither dither{};
+    std::int32_t dequantize_passes = 0;  // 1-2-1 averages along the edge chain; 0 leaves it out
+    std::int32_t low_pass_passes = 0;    // 3 x 3 binomial; 0 leaves it out
+    std::int32_t ambient_q8 = 77;        // 0..256
+    std::int32_t density_q8 = 154;       // of the shadow: 0 invisible, 256 black
+    Form form = Form::post_process;
+};
+
+// How a setting is written: a whole number, a decimal with `fraction` bits, or one of `names`.
+enum class SettingKind : std::uint8_t { whole, decimal, choice };
+
+struct Setting {
+    std::string_view key;
+    SettingKind kind;
+    std::string_view unit;     // "" for a choice
+    std::int64_t least, most;  // words (decimal: in 2^-fraction units)
+    int fraction;
+    std::span<const std::string_view> names;  // of a choice, by value
+    std::string_view meaning;
+    std::int64_t (*get)(const Settings&);
+    void (*set)(Settings&, std::int64_t);
+};
+
+std::span<const Setting> settings_table();
+const Setting* find_setting(std::string_view key);
+
+// A profile sets several settings at once; `profile` itself is no setting of the machine.
+struct Profile {
+    std::string_view name, meaning;
+    int coefficient_bits, multipliers;
+};
+std::span<const Profile> profiles();
+
+}  // namespace umbra78::shadow

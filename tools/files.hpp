@@ -1,0 +1,47 @@
+// Files in and out: PGM, NPY and PNG, whole or not at all.
+//
+// A file is written under `path.partial-<pid>` in the same folder, flushed, then renamed over
+// `path`: a reader sees the old file or the new one, and a failure leaves nothing behind. Every
+// error is a std::runtime_error of one line that names the file, what is wrong and what to do.
+// Pictures are rows from the top, width * height samples. Not emulated: any colour space.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace umbra78::tools {
+
+using Path = std::filesystem::path;
+
+void write_file(const Path&, std::span<const std::byte> content);
+
+// PGM, binary (P5), maxval 1 .. 65535. By the format's definition a sample takes one byte if
+// maxval < 256, otherwise two, the higher first. A sample above maxval is an error.
+void write_pgm8(const Path&, int width, int height, std::span<const std::uint8_t>,
+                int maxval = 255);
+void write_pgm16(const Path&, int width, int height, std::span<const std::uint16_t>,
+                 int maxval = 65535);
+void write_pgm16(const Path&, int width, int height, std::span<const std::uint32_t>,
+                 int maxval = 65535);
+
+struct Pgm {
+    int width, height, maxval;
+    std::vector<std::uint16_t> samples;  // 0 .. maxval
+};
+
+// One picture of at most 2^28 pixels, with comments; anything after it is an error.
+Pgm read_pgm(const Path&);
+
+// NPY, version 1.0: a C-ordered array of shape (height, width), dtype |u1, <u2 or <u4.
+void write_npy(const Path&, int width, int height, std::span<const std::uint8_t>);
+void write_npy(const Path&, int width, int height, std::span<const std::uint16_t>);
+void write_npy(const Path&, int width, int height, std::span<const std::uint32_t>);
+
+// PNG, 8 bits a channel. Never hash these bytes: they depend on the compressor.
+void write_png_gray(const Path&, int width, int height, std::span<const std::uint8_t>);
+void write_png_rgb(const Path&, int width, int height, std::span<const std::uint8_t>);
+
+}  // namespace umbra78::tools

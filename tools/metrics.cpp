@@ -1,0 +1,271 @@
+#include "tools/metrics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace umbra78::tools {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+void expect_image(std::size_t length, int size, const char* name) {
+    if (length != static_cast<std::size_t>(size) * size)
+        throw std::invalid_argument(std::string(name) + " is not size * size values long");
+}
+
+// Calls visit(at) for each pixel that both see and `leave_out` keeps.
+template <class Visit>
+void for_compared(const Truth& truth, const MachineMask& mask,
+                  std::span<const std::uint8_t> leave_out, Visit visit) {
+    expect_image(mask.shadow.size(), truth.size, "the mask");
+    if (!mask.visible.empty()) expect_image(mask.visible.size(), truth.size, "mask.visible");
+    if (!leave_out.empty()) expect_image(leave_out.size(), truth.size, "leave_out");
+    for (std::size_t at = 0; at < truth.visible.size(); ++at)
+        if (truth.visible[at] && mask.drawn(at) && (leave_out.empty() || !leave_out[at]))
+            visit(at);
+}
+
+void count(ShadowError& error, bool lit, bool in_shadow) {
+    error.lit += lit;
+    error.shadowed += !lit;
+    error.false_shadow += lit && in_shadow;
+    error.false_light += !lit && !in_shadow;
+}
+
+// Calls visit(at) for the pixels of the image within `radius` of a pixel.
+template <class Visit>
+void for_disc(int size, std::size_t centre, double radius, Visit visit) {
+    const int row = static_cast<int>(centre / size), column = static_cast<int>(centre % size);
+    const int reach = static_cast<int>(radius);
+    for (int y = std::max(row - reach, 0); y <= std::min(row + reach, size - 1); ++y)
+        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, size - 1); ++x)
+            if ((x - column) * (x - column) + (y - row) * (y - row) <= radius * radius)
+                visit(static_cast<std::size_t>(y) * size + x);
+}
+
+// Where the light's ray through a point beside P meets the sheet of the surface P is on.
+struct Slid {
+    double t = 0;
+    bool over_the_edge = true;  // the sheet does not reach there
+};
+
+// The sheet toward the light is the later crossing of a ray that runs toward the light. A plane
+// that faces the light has no sheet behind it that could end in light: it counts as unbounded.
+Slid slide(const TruthScene& scene, int surface, bool faces_light, const Ray& to_light) {
+    const int spheres = static_cast<int>(scene.spheres.size());
+    if (surface < spheres) {
+        const auto hit = crossings(scene.spheres[surface], to_light);
+        return hit ? Slid{(*hit)[faces_light ? 1 : 0], false} : Slid{};
+    }
+    const auto hit = crossing(scene.planes[surface - spheres], to_light);
+    return hit ? Slid{hit->t, !faces_light && !hit->inside} : Slid{};
+}
+
+bool not_zero_frequency(int k, int n) { return std::min(k, n - k) > 1; }
+
+// Calls visit(power) for the bins the measures use.
+template <class Visit>
+void for_bins(std::span<const double> power, int n, Visit visit) {
+    for (int v = 0; v < n; ++v)
+        for (int u = 0; u < n; ++u)
+            if (not_zero_frequency(u, n) || not_zero_frequency(v, n)) visit(power[v * n + u]);
+}
+
+}  // namespace
+
+ShadowError shadow_error(const Truth& truth, const MachineMask& mask,
+                         std::span<const std::uint8_t> leave_out) {
+    ShadowError error;
+    for_compared(truth, mask, leave_out,
+                 [&](std::size_t at) { count(error, truth.lit[at], mask.in_shadow(at)); });
+    return error;
+}
+
+// The nearest pixel of the other answer has a neighbour of this one's, so only such pixels need
+// a disc; if an unseen pixel stands between, the two are not on one edge.
+std::vector<std::uint8_t> edge_band(const Truth& truth, double radius_px) {
+    const int size = truth.size;
+    std::vector<std::uint8_t> band(truth.visible.size());
+    for (std::size_t at = 0; at < band.size(); ++at) {
+        const auto differs = [&](std::size_t other) {
+            return truth.visible[at] && truth.visible[other] && truth.lit[at] != truth.lit[other];
+        };
+        bool edge = false;
+        for_disc(size, at, 1, [&](std::size_t other) { edge |= differs(other); });
+        if (!edge) continue;
+        for_disc(size, at, radius_px, [&](std::size_t other) { band[other] |= differs(other); });
+    }
+    return band;
+}
+
+std::vector<std::uint8_t> light_texel_band(const TruthScene& scene, const TruthLight& light,
+                                           const TruthView& light_view, const Truth& truth,
+                                           double filter_radius_px, double reach_texels) {
+    const Real3 &right = light_view.rotation[0], &up = light_view.rotation[1];
+    // Whether truth's answer at the pixel is another one, `x`, `y` texels away.
+    const auto changes = [&](std::size_t at, double x, double y) {
+        const int surface = truth.surface[at];
+        const bool faces_light = truth.n_dot_l[at] > 0;
+        const double depth = light_view.project(truth.position[at])[2];
+        const double texel =
+            light_view.pixel() * (light_view.perspective ? depth / light_view.distance : 1);
+        const Ray ray = light.ray(
+            along(along(truth.position[at], x * texel, right), y * texel, up));
+        const Slid slid = slide(scene, surface, faces_light, ray);
+        if (blocked(scene, ray, slid.t, light.reach(), surface)) return truth.lit[at] != 0;
+        return slid.over_the_edge || faces_light != (truth.lit[at] != 0);
+    };
+
+    std::vector<std::uint8_t> band(truth.visible.size());
+    for (std::size_t at = 0; at < band.size(); ++at) {
+        bool inside = false;
+        for (int i = 0; truth.visible[at] && !inside && i < 16; ++i) {
+            const double reach = reach_texels * (i < 8 ? 1 : 0.5), angle = i * pi / 4;
+            inside = changes(at, reach * std::cos(angle), reach * std::sin(angle));
+        }
+        if (!inside) continue;
+        for_disc(truth.size, at, filter_radius_px, [&](std::size_t near) { band[near] = 1; });
+    }
+    return band;
+}
+
+int isolated_pixels(const MachineMask& mask, int size) {
+    expect_image(mask.shadow.size(), size, "the mask");
+    int isolated = 0;
+    for (std::size_t at = 0; at < mask.shadow.size(); ++at) {
+        if (!mask.drawn(at)) continue;
+        int neighbours = -1, alike = -1;  // a disc of radius 1 holds the pixel itself
+        for_disc(size, at, 1, [&](std::size_t other) {
+            neighbours += mask.drawn(other);
+            alike += mask.drawn(other) && mask.in_shadow(other) == mask.in_shadow(at);
+        });
+        isolated += neighbours > 0 && alike == 0;
+    }
+    return isolated;
+}
+
+std::vector<double> error_image(const Truth& truth, const MachineMask& mask,
+                                std::span<const std::uint8_t> leave_out) {
+    std::vector<double> error(truth.visible.size());
+    for_compared(truth, mask, leave_out, [&](std::size_t at) {
+        error[at] = int(mask.in_shadow(at)) - int(truth.lit[at] == 0);
+    });
+    return error;
+}
+
+std::vector<std::uint8_t> lit_pixels(const Truth& truth, const MachineMask& mask) {
+    std::vector<std::uint8_t> lit(truth.visible.size());
+    for_compared(truth, mask, {}, [&](std::size_t at) { lit[at] = truth.lit[at]; });
+    return lit;
+}
+
+// Rows, then columns; a real window's bin (-u, -v) equals its bin (u, v).
+std::vector<double> periodogram(std::span<const double> window, int n) {
+    expect_image(window.size(), n, "the window");
+    std::vector<std::complex<double>> turn(n), rows(static_cast<std::size_t>(n) * n);
+    std::vector<double> hann(n), power(rows.size());
+    for (int i = 0; i < n; ++i) {
+        turn[i] = std::polar(1.0, -2 * pi * i / n);
+        hann[i] = 0.5 - 0.5 * std::cos(2 * pi * (i + 0.5) / n);
+    }
+    double mean = 0;
+    for (const double value : window) mean += value / static_cast<double>(window.size());
+
+    const int half = n / 2;
+    const auto advance = [n](int phase, int step) {
+        return phase + step < n ? phase + step : phase + step - n;
+    };
+    for (int y = 0; y < n; ++y)
+        for (int u = 0; u <= half; ++u)
+            for (int x = 0, phase = 0; x < n; ++x, phase = advance(phase, u))
+                rows[y * n + u] += (window[y * n + x] - mean) * hann[x] * hann[y] * turn[phase];
+    for (int u = 0; u <= half; ++u)
+        for (int v = 0; v < n; ++v) {
+            std::complex<double> sum = 0;
+            for (int y = 0, phase = 0; y < n; ++y, phase = advance(phase, v))
+                sum += rows[y * n + u] * turn[phase];
+            power[v * n + u] = power[(n - v) % n * n + (n - u) % n] = std::norm(sum);
+        }
+    return power;
+}
+
+double spectral_flatness(std::span<const double> window, int n) {
+    double sum = 0, log_sum = 0, bins = 0;
+    for_bins(periodogram(window, n), n, [&](double power) {
+        sum += power;
+        log_sum += std::log(std::max(power, 1e-300));  // an empty bin stays finite
+        ++bins;
+    });
+    return sum > 0 ? std::exp(log_sum / bins) / (sum / bins) : 0;
+}
+
+double peak_over_mean(std::span<const double> window, int n) {
+    double sum = 0, peak = 0, bins = 0;
+    for_bins(periodogram(window, n), n, [&](double power) {
+        sum += power;
+        peak = std::max(peak, power);
+        ++bins;
+    });
+    return sum > 0 ? peak / (sum / bins) : 0;
+}
+
+LocalFlatness median_local_flatness(std::span<const double> error, int size,
+                                    std::span<const std::uint8_t> valid,
+                                    const FlatnessSettings& settings) {
+    expect_image(error.size(), size, "the error image");
+    expect_image(valid.size(), size, "the valid mask");
+    const int n = settings.window;
+    std::vector<double> scores, window(static_cast<std::size_t>(n) * n);
+    for (int top = 0; top + n <= size; top += settings.stride)
+        for (int left = 0; left + n <= size; left += settings.stride) {
+            std::vector<double> held;
+            const auto at = [&](int i) { return (top + i / n) * size + left + i % n; };
+            for (int i = 0; i < n * n; ++i)
+                if (valid[at(i)]) held.push_back(error[at(i)]);
+            if (held.empty() || static_cast<double>(held.size()) < settings.min_valid * n * n)
+                continue;
+            double mean = 0;
+            for (const double value : held) mean += value / static_cast<double>(held.size());
+            for (int i = 0; i < n * n; ++i) window[i] = valid[at(i)] ? error[at(i)] : mean;
+
+            std::sort(held.begin(), held.end());
+            const double commonest = held[held.size() / 2];  // of a binary image, the majority
+            const auto like = std::count(held.begin(), held.end(), commonest);
+            if (static_cast<std::ptrdiff_t>(held.size()) - like < settings.min_errors) continue;
+            scores.push_back(spectral_flatness(window, n));
+        }
+    if (scores.empty()) return {};
+    std::sort(scores.begin(), scores.end());
+    const std::size_t count = scores.size();
+    return {(scores[(count - 1) / 2] + scores[count / 2]) / 2, static_cast<int>(count)};
+}
+
+// With the light at azimuth +-A the sphere is lit and seen from azimuth +-90 (the limb) to
+// +-(A - 90) degrees (the line).
+std::vector<ShadowError> limb_to_line_profile(const Truth& truth, const MachineMask& mask,
+                                              const TruthScene& scene, int sphere,
+                                              const TruthView& view, const TruthLight& light,
+                                              int bins) {
+    std::vector<ShadowError> profile(bins);
+    const Real3& centre = scene.spheres[sphere].centre;
+    const auto azimuth = [&](const Real3& way) {
+        return std::atan2(dot(way, view.rotation[0]), dot(way, view.rotation[2]));
+    };
+    const double light_azimuth = azimuth(light.ray(centre).direction);
+    const double side = light_azimuth < 0 ? -1 : 1, limb = pi / 2;
+    const double line = std::abs(light_azimuth) - pi / 2;
+    for_compared(truth, mask, {}, [&](std::size_t at) {
+        if (truth.surface[at] != sphere || !truth.lit[at]) return;
+        const double here = side * azimuth(along(truth.position[at], -1, centre));
+        const double place = std::clamp((limb - here) / (limb - line), 0.0, 1.0);
+        const int bin = std::min(static_cast<int>(place * bins), bins - 1);
+        count(profile[bin], true, mask.in_shadow(at));
+    });
+    return profile;
+}
+
+}  // namespace umbra78::tools
