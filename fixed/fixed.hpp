@@ -31,6 +31,7 @@ template <int I, int F>
 class Fixed {
     static_assert(I >= 0, "Fixed<I, F>: the integer bits (without the sign) cannot be negative");
     static_assert(F >= 0, "Fixed<I, F>: the fraction bits cannot be negative");
+    static_assert(I + F >= 1, "Fixed<I, F>: a sign bit alone is not a number");
     static_assert(I + F <= 63, "Fixed<I, F>: more than 64 bits; narrow_to() an operand first");
 
 public:

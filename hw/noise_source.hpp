@@ -2,7 +2,7 @@
 //
 // Every pixel position owns 16 k successive bits of the register's stream, visible or not; the
 // first 8 k make the X word, the next 8 k the Y word: the sum of k unsigned bytes, centred and
-// scaled to `size` texels peak to peak. k = 1 uniform, 2 triangular, 4 and 12 pseudo-normal
+// scaled to `size` texels peak to peak. k = 1 is uniform, 2 triangular, 4 and 12 pseudo-normal
 // (Williams 1978, p. 273: normal, within -.5 .. +.5). A scan line's state is reached by a jump,
 // so what is drawn does not depend on the order of the work.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace umbra78::hw {
 
-enum class DitherShape : std::uint8_t { none, uniform, triangular, normal, normal12 };
+enum class DitherShape : std::uint8_t { none, uniform, triangular, normal4, normal };
 
 // Bytes in one word's sum.
 constexpr int uniforms(DitherShape s) {

@@ -85,29 +85,39 @@ void transform_row(const hw::Depth16* depth, std::size_t n, const std::array<Row
     }
 }
 
-void add_dither(const Settings& s, int y, std::size_t n, RowMemory& memory) {
-    const hw::Dither& d = s.dither;
-    if (d.shape != hw::DitherShape::normal) {
-        hw::NoiseSource noise(d, s.machine, 0, y);
-        for (std::size_t x = 0; x < n; ++x) {
-            const hw::DitherWords w = noise.next();
-            memory.result[0][x] += w.x;
-            memory.result[1][x] += w.y;
-        }
-        return;
-    }
-    // Four bytes a word: a pixel's bits are one step of the 64-bit stream.
-    const std::int32_t amplitude = fixed::dither_amplitude(4, d.size_q8, s.machine.fraction_bits);
+// The bytes of one word and of another, summed.
+int bytes(std::uint64_t w, int n) { return fixed::sum_of_uniforms(w, n); }
+
+// Four or twelve bytes a word: a pixel's bits are one or three steps of the 64-bit stream.
+template <int K>
+void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, std::size_t n,
+                RowMemory& memory) {
+    const std::int32_t amplitude = fixed::dither_amplitude(K, d.size_q8, m.fraction_bits);
     fixed::NoiseRegister start(d.seed);
-    start.jump((static_cast<std::uint64_t>(y) << s.machine.xy_bits) * 64);
+    start.jump((static_cast<std::uint64_t>(y) << m.xy_bits) * 16 * K);
     fixed::NoiseStream64 stream(start);
     for (std::size_t x = 0; x < n; ++x) {
-        const std::uint64_t bits = stream.next64();
-        const auto word = [&](std::uint64_t four) {
-            return fixed::dither_word(fixed::sum_of_uniforms(four, 4), 4, amplitude);
-        };
-        memory.result[0][x] += word(bits & 0xffffffff);
-        memory.result[1][x] += word(bits >> 32);
+        const std::uint64_t a = stream.next64();
+        int sx = bytes(a, 4), sy = bytes(a >> 32, 4);
+        if constexpr (K == 12) {
+            const std::uint64_t b = stream.next64(), c = stream.next64();
+            sx = bytes(a, 8) + bytes(b, 4);
+            sy = bytes(b >> 32, 4) + bytes(c, 8);
+        }
+        memory.result[0][x] += fixed::dither_word(sx, K, amplitude);
+        memory.result[1][x] += fixed::dither_word(sy, K, amplitude);
+    }
+}
+
+void add_dither(const Settings& s, int y, std::size_t n, RowMemory& memory) {
+    const hw::Dither& d = s.dither;
+    if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, s.machine, y, n, memory);
+    if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, s.machine, y, n, memory);
+    hw::NoiseSource noise(d, s.machine, 0, y);
+    for (std::size_t x = 0; x < n; ++x) {
+        const hw::DitherWords w = noise.next();
+        memory.result[0][x] += w.x;
+        memory.result[1][x] += w.y;
     }
 }
 

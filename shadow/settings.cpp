@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 2> registration_names{"centre", "index"};
 constexpr std::array<std::string_view, 2> lookup_names{"nearest", "bilinear"};
 constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"};
 constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
-constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal",
-                                                       "normal12"};
+constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
+                                                       "normal"};
 constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
 
 template <auto Get, auto Set>

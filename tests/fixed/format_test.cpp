@@ -88,9 +88,10 @@ TEST(Convert, Every16BitWordFromQ8_7) {
     }
 }
 
+constexpr Format q8_7 = signed_format(8, 7), q1_14 = signed_format(1, 14);
+constexpr auto up = Rounding::half_up;
+
 TEST(Convert, TrapsWhereItShould) {
-    constexpr Format q8_7 = signed_format(8, 7), q1_14 = signed_format(1, 14);
-    constexpr auto up = Rounding::half_up;
     static_assert(convert(128, q8_7, q1_14, up, Overflow::trap) == 1 << 14);
     static_assert(!test::is_constant([] { return convert(256, q8_7, q1_14, up, Overflow::trap); }));
     EXPECT_DEATH(convert(256, q8_7, q1_14, up, Overflow::trap), "");

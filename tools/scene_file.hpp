@@ -1,0 +1,42 @@
+// Scene files: TOML, short enough to write by hand, read exactly into the machine's words.
+//
+// Every decimal goes from its text to fixed point without passing through floating point. Whatever
+// is wrong is one line: file, line, what, and the remedy.
+#pragma once
+
+#include "raster/scene.hpp"
+#include "shadow/frame.hpp"
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace umbra78::tools {
+
+// what() is one line for the user.
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct LoadedScene {
+    std::string name;
+    std::vector<raster::Material> materials;
+    std::vector<raster::Sphere> spheres;
+    std::vector<raster::Plane> planes;
+    std::vector<raster::Patch> patches;  // all surfaces, spheres' and planes' first
+    std::size_t free_patches = 0;        // patches that are neither, so truth has no closed form
+    raster::View observer, light;
+    shadow::Settings settings;           // the file's, with the overrides applied
+    std::vector<std::string> warnings;   // a caster outside the light's volume, ...
+
+    shadow::Scene view() const { return {patches, materials, observer, light}; }
+};
+
+// `overrides` are "key=value" as --set takes them. Throws SceneError.
+LoadedScene load_scene(const std::string& path, std::span<const std::string> overrides);
+LoadedScene parse_scene(std::string_view text, const std::string& name,
+                        std::span<const std::string> overrides);
+
+}  // namespace umbra78::tools
