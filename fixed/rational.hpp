@@ -88,8 +88,8 @@ public:
         if (log2 > 63) {
             return false;
         }
-        if (log2 < -2) {  // |value| < 1/4: only its sign matters
-            out = round_shift(is_negative() ? -1 : 1, 2 + 1, r);
+        if (log2 < -1) {  // |value| < 1/2, so only its sign matters: as good as +-1/4
+            out = round_shift(is_negative() ? -1 : 1, 2, r);
             return true;
         }
         // The scaled operands have at most 512 + 64 bits.
@@ -120,14 +120,13 @@ private:
         return true;
     }
 
-    // Stein's binary algorithm; a >= 0, b > 0.
+    // Stein's binary algorithm; a >= 0, b > 0, not both even: normalize() has seen to that.
     static constexpr Int gcd(Int a, Int b) {
         if (a.is_zero()) {
             return b;
         }
-        const int za = a.trailing_zeros(), zb = b.trailing_zeros();
-        a = a >> za;
-        b = b >> zb;
+        a = a >> a.trailing_zeros();
+        b = b >> b.trailing_zeros();
         while (a != b) {
             if (a < b) {
                 const Int t = a;
@@ -137,7 +136,7 @@ private:
             a -= b;
             a = a >> a.trailing_zeros();
         }
-        return a << (za < zb ? za : zb);
+        return a;
     }
 
     constexpr void normalize() {

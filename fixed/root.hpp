@@ -1,9 +1,15 @@
 // Integer square root: the largest r with r^2 <= v, for every 64-bit v.
 //
 // Zimmermann's recursive root (P. Zimmermann, "Karatsuba Square Root", INRIA RR-3805, 1999) as
-// unrolled by M. Dickinson for CPython's math.isqrt: for 2^62 <= v < 2^64 an 8-bit root from a
-// table, then two divisions give r with (r - 1)^2 < v < (r + 1)^2, and one comparison decides.
-// Smaller v are first shifted left by an even count.
+// unrolled by M. Dickinson for CPython's math.isqrt. v is shifted left by an even count to n,
+// 2^62 <= n < 2^64; a table gives 8 bits of its root, two Newton steps 16 and 32:
+//
+//   r = floor((x + n/x) / 2)      in integers (x 2^k the last root): (x << k-1) + (n >> k+1) / x
+//
+// Why it is exact. (x + n/x)/2 - sqrt n = (x - sqrt n)^2 / (2 x), which lies in 0 .. 1 whenever
+// |x - sqrt n| < sqrt(2 x). Then r - 1 < sqrt n < r + 1, so r is the root or one more, and one
+// comparison decides. The table is within one of the 8-bit root (a test checks every entry), hence
+// the 16-bit root within one, hence the last; and one, scaled by 2^8 or 2^16, is below sqrt(2 x).
 #pragma once
 
 #include <array>
@@ -41,9 +47,9 @@ constexpr std::uint32_t isqrt(std::uint64_t v) {
     const std::uint64_t n = v << (2 * half_shift);
     std::uint32_t root = detail::root_table[static_cast<std::size_t>(n >> 56) - 64];
     root = (root << 7) + static_cast<std::uint32_t>(n >> 41) / root;
-    // The sum may reach 2^32; the root itself never does, and 2^32 - 1 stands for it.
+    // Below 2^32: 2^32 would need n > (2^32 - 1)^2, but there root is 2^16 and the sum 2^32 - 1.
     const std::uint64_t sum = (std::uint64_t{root} << 15) + (n >> 17) / root;
-    const std::uint64_t near = (sum < UINT32_MAX ? sum : UINT32_MAX) >> half_shift;
+    const std::uint64_t near = sum >> half_shift;
     return static_cast<std::uint32_t>(near - (near * near > v ? 1 : 0));
 }
 

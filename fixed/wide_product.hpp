@@ -51,8 +51,8 @@ constexpr QuotientRemainder divide_digit(std::uint64_t upper, std::uint64_t next
     const std::uint64_t d1 = divisor >> 32, d0 = divisor & 0xffffffff;
     std::uint64_t digit = upper / d1;
     std::uint64_t rest = upper % d1;
-    // The estimate is too large by at most 2.
-    while (rest >> 32 == 0 && (digit >> 32 != 0 || digit * d0 > (rest << 32 | next))) {
+    // The estimate is too large by at most 2. It is at most 2^32 + 1, so digit * d0 < 2^64.
+    while (rest >> 32 == 0 && digit * d0 > (rest << 32 | next)) {
         --digit;
         rest += d1;
     }

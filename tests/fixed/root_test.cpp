@@ -33,6 +33,18 @@ TEST(IntegerRoot, Constants) {
     static_assert(isqrt(std::uint64_t{UINT32_MAX} * UINT32_MAX - 1) == UINT32_MAX - 1);
 }
 
+// The one premise of the proof in the header: |table - sqrt(v)| < 1 on the whole of each interval,
+// except for the last, clipped to 255, where sqrt(2 * 255 / 256) = 1.41 is allowed.
+TEST(IntegerRoot, TableIsWithinOne) {
+    for (std::uint32_t i = 0; i < 192; ++i) {
+        const std::uint32_t root = detail::root_table[i];
+        const std::uint32_t low = (i + 64) << 8, high = (i + 65) << 8;
+        EXPECT_LT((root - 1) * (root - 1), low) << "entry " << i;
+        EXPECT_GE((root + 1) * (root + 1), high) << "entry " << i;
+        EXPECT_GE(root, 128u);
+    }
+}
+
 TEST(IntegerRoot, EveryRootOf16BitsAndEvery16BitWord) {
     for (std::uint64_t r = 0; r <= UINT16_MAX; ++r) {
         expect_step_at(r);

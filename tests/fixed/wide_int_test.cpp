@@ -140,6 +140,9 @@ TEST(WideInt, EveryOverflowTraps) {
     EXPECT_DEATH(least * -1, "");
     EXPECT_DEATH(least / -1, "");
     EXPECT_DEATH(most * 2, "");
+    EXPECT_DEATH(most * 3, "");                            // a carry leaves the top limb
+    EXPECT_DEATH((Wide2(1) << 64) * (Wide2(1) << 64), "");  // a whole limb does
+    EXPECT_DEATH((Wide2(1) << 100) * (Wide2(1) << 100), "");
     EXPECT_DEATH(most << 1, "");
     EXPECT_DEATH(Wide2(1) << 127, "");
     EXPECT_DEATH(Wide2(1) << 128, "");
