@@ -138,9 +138,9 @@ constexpr DecimalResult parse_decimal(std::string_view text, int fraction_bits, 
     // Then the digits, and zeros down to the last place that is looked at.
     detail::DecimalParts parts;
     place += exponent;
-    for (const char c : text.substr(first_digit, end_of_digits - first_digit)) {
-        if (detail::is_digit(c)) {
-            parts.append(c - '0', place--);
+    for (std::size_t at = first_digit; at < end_of_digits; ++at) {
+        if (detail::is_digit(text[at])) {
+            parts.append(text[at] - '0', place--);
         }
     }
     for (place = place > parts.highest_place ? parts.highest_place : place;

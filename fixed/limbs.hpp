@@ -4,6 +4,7 @@
 // Results go over the first operand. What does not fit is returned: a carry, a borrow, or false.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,6 +23,15 @@ constexpr std::size_t used(std::span<const Limb> a) {
         --n;
     }
     return n;
+}
+
+// a against b, of equal size.
+constexpr std::strong_ordering compare(std::span<const Limb> a, std::span<const Limb> b) {
+    std::size_t i = a.size();
+    while (i > 1 && a[i - 1] == b[i - 1]) {
+        --i;
+    }
+    return a[i - 1] <=> b[i - 1];
 }
 
 // a += b, a.size() >= b.size(); returns the carry.

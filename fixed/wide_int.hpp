@@ -154,12 +154,7 @@ public:
         if (a.is_negative() != b.is_negative()) {
             return b.is_negative() <=> a.is_negative();
         }
-        for (int i = Limbs - 1; i > 0; --i) {
-            if (a.limb(i) != b.limb(i)) {
-                return a.limb(i) <=> b.limb(i);
-            }
-        }
-        return a.limb(0) <=> b.limb(0);
+        return limbs::compare(a.limb_, b.limb_);  // in two's complement, for equal signs
     }
 
 private:

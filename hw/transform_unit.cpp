@@ -51,6 +51,7 @@ LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, Wor
     // The fourth column multiplies one_word, not 1.0: scale it so that the sum comes out right.
     const Rational one_value = Rational(input.one_word(), std::int64_t{1} << input.fraction);
     out.affine = exact[3][0].is_zero() && exact[3][1].is_zero() && exact[3][2].is_zero();
+    if (out.affine && exact[3][3].is_zero()) return LoadStatus::exponent_out_of_range;
     for (std::size_t r = 0; r < 4; ++r) {
         std::array<Rational, 4> row = exact[r];
         if (out.affine) {
@@ -59,6 +60,11 @@ LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, Wor
         row[3] = row[3] / one_value;
         if (!quantize_row(row, spec.coefficient_bits, spec.coefficient_rounding, out.word[r],
                           out.exponent[r]))
+            return LoadStatus::exponent_out_of_range;
+    }
+    for (std::size_t r = 0; r < 3; ++r) {
+        const int apart = out.exponent[r] - out.exponent[3];
+        if (!out.affine && (apart > greatest_apart || apart < -greatest_apart))
             return LoadStatus::exponent_out_of_range;
     }
     return LoadStatus::ok;

@@ -47,8 +47,11 @@ enum class LoadStatus : std::uint8_t { ok, exponent_out_of_range };
 
 inline constexpr int least_exponent = -31;
 inline constexpr int greatest_exponent = 31;
+// Between a perspective row and W: with up to 20 fraction bits the divider shifts 62 places.
+inline constexpr int greatest_apart = 42;
 
 // Rounds an exact matrix to coefficient words: the smallest exponent that holds the whole row.
+// Refused: a row that no exponent in range holds, one too far from W, and a W row of zeros.
 LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, WordFormat input,
                        MatrixWords& out);
 

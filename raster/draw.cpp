@@ -1,7 +1,8 @@
 #include "raster/draw.hpp"
 
+#include "fixed/overflow.hpp"
+
 #include <algorithm>
-#include <bit>
 
 namespace umbra78::raster {
 namespace {
@@ -42,15 +43,17 @@ Toward toward_eye(const View& view, WordFormat object) {
 }  // namespace
 
 hw::WordFormat object_words(std::span<const Patch> patches) {
-    std::uint32_t largest = 1;
+    std::uint32_t largest = 0;
     for (const Patch& p : patches)
         for (const World& c : p.control)
             for (const std::int32_t v : {c.x, c.y, c.z})
                 largest = std::max(largest, static_cast<std::uint32_t>(fixed::magnitude(v)));
-    // |word| < 2^15 with some room for rounding up: bits of the integer part, and the rest.
-    const int width = static_cast<int>(std::bit_width(largest + 1));
-    const int fraction = object_bits - 1 - width + world_fraction;
-    return {object_bits, std::min(fraction, object_bits - 2)};
+    int fraction = object_bits - 2;
+    while (fraction > 0 && !fixed::fits(fixed::round_shift(largest, world_fraction - fraction,
+                                                           Rounding::half_up),
+                                        object_bits))
+        --fraction;
+    return {object_bits, fraction};
 }
 
 hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
@@ -106,7 +109,7 @@ Fate BlockWalk::fate(const StackBlock& b, ScreenBounds& bounds) const {
         return block_fate(bounds, setup_.spec);
     }
     switch (projected_bounds(b.screen, setup_.spec, bounds)) {
-        case Sight::behind: return Fate::outside;
+        case Sight::outside: return Fate::outside;
         case Sight::before: return block_fate(bounds, setup_.spec);
         default: return b.level_u <= b.level_v ? Fate::split_u : Fate::split_v;
     }

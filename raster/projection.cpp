@@ -77,6 +77,16 @@ Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw,
     return out;
 }
 
+// Whether all of a block, or all of it before the eye, lies beyond one side of the cube (grown by
+// a pixel): X - e W > 0 or X + e W < 0. It holds on both sides of the eye, where X / W does not.
+bool beyond_a_side(const std::array<Component, 4>& c, std::int64_t edge_px) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (bounds(less(c[k], edge_px, c[3])).least > 0) return true;
+        if (bounds(less(c[k], -edge_px, c[3])).greatest < 0) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 ObjectWords to_object_words(const Patch& patch, WordFormat format) {
@@ -127,8 +137,9 @@ ScreenBounds affine_bounds(const std::array<Component, 3>& c) {
 Sight projected_bounds(const std::array<Component, 4>& c, const MachineSpec& spec,
                        ScreenBounds& out) {
     const Bounds w = bounds(c[3]);
-    if (w.greatest <= 0) return Sight::behind;
-    if (w.least <= 0) return Sight::both;
+    if (w.greatest <= 0) return Sight::outside;
+    if (w.least <= 0)
+        return beyond_a_side(c, spec.half_px() + 1) ? Sight::outside : Sight::both;
     out = {quotient_bounds(c[0], c[3], w, raster_fraction),
            quotient_bounds(c[1], c[3], w, raster_fraction),
            quotient_bounds(c[2], c[3], w, spec.depth_fraction() + depth_guard(spec))};

@@ -33,9 +33,12 @@ std::array<Component, 4> homogeneous_components(const ObjectWords& p, const Matr
 
 ScreenBounds affine_bounds(const std::array<Component, 3>& c);
 
-enum class Sight : std::uint8_t { before, behind, both };  // of the eye
+// Of a block: before the eye; out of sight; or, W not being positive throughout, not yet known.
+enum class Sight : std::uint8_t { before, outside, both };
 
-// The bounds of a block before the eye; `both` where W is not positive throughout.
+// The bounds of a block before the eye. One that reaches behind it is out of sight if it lies
+// beyond a side of the cube in homogeneous terms; so only what crosses the near plane within the
+// frame stays to be split, and only until its blocks are shorter than the near depth.
 Sight projected_bounds(const std::array<Component, 4>& c, const MachineSpec& spec,
                        ScreenBounds& out);
 

@@ -1,9 +1,10 @@
 // Files in and out: PGM, NPY and PNG, whole or not at all.
 //
 // A file is written under `path.partial-<pid>` in the same folder, flushed, then renamed over
-// `path`: a reader sees the old file or the new one, and a failure leaves nothing behind. Every
-// error is a std::runtime_error of one line that names the file, what is wrong and what to do.
-// Pictures are rows from the top, width * height samples. Not emulated: any colour space.
+// `path`: a reader sees the old file or the new one, and a failure leaves nothing behind. Files
+// that belong together are written into a FileSet, and appear together when it is committed.
+// Every error is a std::runtime_error of one line that names the file, what is wrong and what to
+// do. Pictures are rows from the top, width * height samples. Not emulated: any colour space.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +17,32 @@ namespace umbra78::tools {
 
 using Path = std::filesystem::path;
 
-void write_file(const Path&, std::span<const std::byte> content);
+// Files that appear all together, or not at all if it is destroyed before.
+class FileSet {
+public:
+    FileSet() = default;
+    FileSet(const FileSet&) = delete;
+    FileSet& operator=(const FileSet&) = delete;
+    ~FileSet();
+
+    void write(const Path&, std::span<const std::byte> content);  // under its partial name
+    void commit();
+
+private:
+    std::vector<Path> written_;
+};
+
+// Every writer below puts its file into `set`, or where there is none, in its place at once.
+void write_file(const Path&, std::span<const std::byte> content, FileSet* set = nullptr);
 
 // PGM, binary (P5), maxval 1 .. 65535. By the format's definition a sample takes one byte if
 // maxval < 256, otherwise two, the higher first. A sample above maxval is an error.
 void write_pgm8(const Path&, int width, int height, std::span<const std::uint8_t>,
-                int maxval = 255);
+                int maxval = 255, FileSet* set = nullptr);
 void write_pgm16(const Path&, int width, int height, std::span<const std::uint16_t>,
-                 int maxval = 65535);
+                 int maxval = 65535, FileSet* set = nullptr);
 void write_pgm16(const Path&, int width, int height, std::span<const std::uint32_t>,
-                 int maxval = 65535);
+                 int maxval = 65535, FileSet* set = nullptr);
 
 struct Pgm {
     int width, height, maxval;
@@ -36,12 +53,17 @@ struct Pgm {
 Pgm read_pgm(const Path&);
 
 // NPY, version 1.0: a C-ordered array of shape (height, width), dtype |u1, <u2 or <u4.
-void write_npy(const Path&, int width, int height, std::span<const std::uint8_t>);
-void write_npy(const Path&, int width, int height, std::span<const std::uint16_t>);
-void write_npy(const Path&, int width, int height, std::span<const std::uint32_t>);
+void write_npy(const Path&, int width, int height, std::span<const std::uint8_t>,
+               FileSet* set = nullptr);
+void write_npy(const Path&, int width, int height, std::span<const std::uint16_t>,
+               FileSet* set = nullptr);
+void write_npy(const Path&, int width, int height, std::span<const std::uint32_t>,
+               FileSet* set = nullptr);
 
 // PNG, 8 bits a channel. Never hash these bytes: they depend on the compressor.
-void write_png_gray(const Path&, int width, int height, std::span<const std::uint8_t>);
-void write_png_rgb(const Path&, int width, int height, std::span<const std::uint8_t>);
+void write_png_gray(const Path&, int width, int height, std::span<const std::uint8_t>,
+                    FileSet* set = nullptr);
+void write_png_rgb(const Path&, int width, int height, std::span<const std::uint8_t>,
+                   FileSet* set = nullptr);
 
 }  // namespace umbra78::tools

@@ -109,9 +109,10 @@ Gray compose_sheet(std::span<const SheetCell> cells, const SheetLayout& layout) 
     return sheet;
 }
 
-void write_sheet(const Path& path, std::span<const SheetCell> cells, const SheetLayout& layout) {
+void write_sheet(const Path& path, std::span<const SheetCell> cells, const SheetLayout& layout,
+                 FileSet* set) {
     const Gray sheet = compose_sheet(cells, layout);
-    write_png_gray(path, sheet.width, sheet.height, sheet.pixels);
+    write_png_gray(path, sheet.width, sheet.height, sheet.pixels, set);
 }
 
 }  // namespace umbra78::tools

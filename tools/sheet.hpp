@@ -34,6 +34,7 @@ struct SheetLayout {
 // Pictures may differ in size: every cell is as large as the largest. Two cells in two columns
 // are a side-by-side comparison.
 Gray compose_sheet(std::span<const SheetCell>, const SheetLayout& = {});
-void write_sheet(const Path&, std::span<const SheetCell>, const SheetLayout& = {});
+void write_sheet(const Path&, std::span<const SheetCell>, const SheetLayout& = {},
+                 FileSet* set = nullptr);
 
 }  // namespace umbra78::tools

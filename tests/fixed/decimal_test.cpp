@@ -99,7 +99,7 @@ TEST(Decimal, Every16BitWordComesBack) {
 // far behind the point it comes, and wherever the exponent puts the point.
 TEST(ParseDecimal, TiesAndTheirNeighbours) {
     test::Random random;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         const auto f = static_cast<int>(random.between(0, 48));
         const std::int64_t v = random.word() >> 3;
         const std::string tie = printed(2 * v + 1, f + 1);
@@ -118,7 +118,7 @@ TEST(ParseDecimal, TiesAndTheirNeighbours) {
 // Moving the point and undoing it by the exponent changes nothing.
 TEST(ParseDecimal, ExponentMovesThePoint) {
     test::Random random;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         const auto f = static_cast<int>(random.between(1, 48));
         const std::int64_t v = random.word() | 1;
         const std::string text = printed(v, f);

@@ -33,8 +33,7 @@ TEST(IntegerRoot, Constants) {
     static_assert(isqrt(std::uint64_t{UINT32_MAX} * UINT32_MAX - 1) == UINT32_MAX - 1);
 }
 
-// The one premise of the proof in the header: |table - sqrt(v)| < 1 on the whole of each interval,
-// except for the last, clipped to 255, where sqrt(2 * 255 / 256) = 1.41 is allowed.
+// The one premise of the proof in the header: |table - sqrt(v)| < 1 on the whole of each interval.
 TEST(IntegerRoot, TableIsWithinOne) {
     for (std::uint32_t i = 0; i < 192; ++i) {
         const std::uint32_t root = detail::root_table[i];

@@ -1,0 +1,357 @@
+// The post-process: the definition against a slow model, the row form against the definition, bit
+// for bit.
+#include "shadow/post_process.hpp"
+
+#include "hw/divider.hpp"
+#include "shadow/frame.hpp"
+#include "tests/shadow/figure_frame.hpp"
+#include "tests/shadow/random_frames.hpp"
+#include "tests/shadow/slow_lookup.hpp"
+#include "tests/support/buffers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace umbra78::shadow {
+namespace {
+
+using fixed::Rounding;
+using fixed::test::model_round;
+using test::Int128;
+using test::OwnedStore;
+using test::Random;
+
+std::string describe(const Settings& s) {
+    std::string text;
+    for (const Setting& row : settings_table())
+        if (row.get(s) != row.get(Settings{}))
+            text += std::string(row.key) + "=" + std::to_string(row.get(s)) + " ";
+    return text;
+}
+
+// Quiet where equal, even where both are constant: the tests count what is in shadow.
+void expect_same(const std::vector<std::uint8_t>& expected, const std::vector<std::uint8_t>& got,
+                 int size, const std::string& where) {
+    if (expected == got) return;
+    SCOPED_TRACE(where);
+    umbra78::test::expect_equal_buffers("mask", size, expected, got);
+}
+
+// --- the slow model -----------------------------------------------------------------------------
+
+// The noise register's stream from its recurrence, one bit at a time, and a pixel's two words.
+class SlowNoise {
+public:
+    SlowNoise(const hw::Dither& d, const hw::MachineSpec& m)
+        : k_(hw::uniforms(d.shape)), dither_(d), fraction_(m.fraction_bits),
+          bit_((std::size_t{16} << (2 * m.xy_bits)) * static_cast<std::size_t>(k_)) {
+        for (std::size_t n = 0; n < bit_.size(); ++n)
+            bit_[n] = n < 31 ? (d.seed >> n & 1) != 0 : bit_[n - 31] != bit_[n - 28];
+    }
+    hw::DitherWords words(std::size_t pixel) const {
+        if (k_ == 0) return {0, 0};
+        const std::size_t first = pixel * 16 * static_cast<std::size_t>(k_);
+        return {word(first), word(first + 8 * static_cast<std::size_t>(k_))};
+    }
+
+private:
+    std::int32_t word(std::size_t first) const {
+        Int128 sum = 0;
+        for (std::size_t i = 0; i < 8 * static_cast<std::size_t>(k_); ++i)
+            sum += bit_[first + i] ? 1 << i % 8 : 0;
+        const Int128 amplitude = model_round(Int128{dither_.size_q8} << (fraction_ + 16),
+                                             Int128{256 * 512} * k_, Rounding::half_up);
+        return static_cast<std::int32_t>(
+            model_round((2 * sum - 255 * k_) * amplitude, 1 << 16, Rounding::half_up));
+    }
+    int k_;
+    hw::Dither dither_;
+    int fraction_;
+    std::vector<bool> bit_;
+};
+
+Int128 two_to(int n) { return Int128{1} << n; }
+
+// One pixel through the matrix as exact fractions, each coordinate rounded once.
+hw::Point slow_transform(const hw::MatrixWords& m, const Settings& s, int px, int py,
+                         std::uint32_t code) {
+    const hw::MachineSpec& spec = s.machine;
+    const int half_px = s.registration == Registration::centre ? 1 : 0;
+    // Pixels from the centre, times 2^in; `in` fraction bits hold a half pixel and a quantum.
+    const int in = std::max(spec.z_bits - spec.xy_bits, 1);
+    const auto screen = [&](int p) {
+        return (Int128{2} * (p - spec.half_px()) + half_px) * two_to(in - 1);
+    };
+    const Int128 z = (Int128{code} - two_to(spec.z_bits - 1)) *
+                     two_to(in + spec.xy_bits - spec.z_bits);
+    const Int128 one = two_to(spec.xy_bits + in - 2);
+    const std::array<Int128, 4> v{screen(px), screen(py), z, one};
+    std::array<Int128, 4> sum{};
+    for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t c = 0; c < 4; ++c) sum[r] += m.word[r][c] * v[c];
+    if (!m.affine && sum[3] <= 0)
+        return {0, 0, 0, hw::DivideStatus::divisor_not_positive};
+    const auto result = [&](std::size_t r, int fraction) {
+        // affine: sum 2^(e - (C - 2) - in + fraction), else sum_r 2^(e_r - e_w + fraction) / sum_w
+        const int up = m.affine ? m.exponent[r] - (spec.coefficient_bits - 2) - in + fraction
+                                : m.exponent[r] - m.exponent[3] + fraction;
+        const Int128 divisor = m.affine ? Int128{1} : sum[3];
+        return static_cast<std::int64_t>(model_round(sum[r] * two_to(std::max(up, 0)),
+                                                     divisor * two_to(std::max(-up, 0)),
+                                                     spec.transform_rounding));
+    };
+    return {result(0, spec.fraction_bits), result(1, spec.fraction_bits),
+            result(2, spec.z_bits - spec.xy_bits), hw::DivideStatus::ok};
+}
+
+TEST(PostProcess, IsTheSlowModel) {
+    Random random;
+    std::uint64_t shadowed = 0;
+    for (int round = 0; round < 150; ++round) {
+        Settings s = test::random_settings(random, false);
+        s.machine.xy_bits = 4;
+        const hw::MachineSpec& m = s.machine;
+        const std::size_t pixels = 256;
+        OwnedStore<hw::Depth32> observer(4), light(4);
+        test::fill_depth(random, m, observer.depth);
+        test::fill_depth(random, m, light.depth);
+        const hw::MatrixWords matrix = test::random_matrix(random, m, random.bits() % 2 == 0);
+        const LightMap<hw::Depth32> map{light.store, m, s.lookup, s.background};
+        const SlowNoise noise(s.dither, m);
+
+        std::vector<std::uint8_t> expected(pixels), mask(pixels, 7);
+        PostProcessCounts count;
+        for (std::size_t a = 0; a < pixels; ++a) {
+            if (observer.depth[a] == m.background()) continue;
+            ++count.visible;
+            const hw::Point p = slow_transform(matrix, s, static_cast<int>(a % 16),
+                                               static_cast<int>(a / 16), observer.depth[a]);
+            if (!test::slow_in_shadow(map, p, noise.words(a))) continue;
+            ++count.shadowed;
+            expected[a] = 255;
+        }
+        const PostProcessCounts got = post_process(observer.store, light.store, matrix, s, mask);
+        EXPECT_EQ(got.visible, count.visible) << describe(s);
+        EXPECT_EQ(got.shadowed, count.shadowed) << describe(s);
+        expect_same(expected, mask, 16, describe(s));
+        if (HasFailure()) return;
+        shadowed += got.shadowed;
+    }
+    EXPECT_GT(shadowed, 2000u) << "too little in shadow for a test";
+}
+
+// --- plain against rows -------------------------------------------------------------------------
+
+// One frame by either form, from masks that held different rubbish before.
+void expect_forms_agree(const hw::FrameStore<hw::Depth16>& observer,
+                        const hw::FrameStore<hw::Depth16>& light, const hw::MatrixWords& matrix,
+                        const Settings& s, const std::string& where, std::uint64_t& shadowed) {
+    ASSERT_TRUE(rows_cover(s, matrix)) << where << describe(s);
+    static const auto memory = std::make_unique<RowMemory>();
+    std::vector<std::uint8_t> plain(observer.depth.size(), 1), rows(plain.size(), 2);
+    const PostProcessCounts a = post_process(observer, light, matrix, s, plain);
+    const PostProcessCounts b = post_process_rows(observer, light, matrix, s, *memory, rows);
+    EXPECT_EQ(a.visible, b.visible) << where << describe(s);
+    EXPECT_EQ(a.shadowed, b.shadowed) << where << describe(s);
+    expect_same(plain, rows, observer.size_px(), where + describe(s));
+    shadowed += a.shadowed;
+}
+
+TEST(PostProcessRows, RandomMatricesAndFrames) {
+    Random random;
+    std::uint64_t shadowed = 0;
+    for (int round = 0; round < 600 && !::testing::Test::HasFailure(); ++round) {
+        const Settings s = test::random_settings(random, true);
+        OwnedStore<hw::Depth16> observer(s.machine.xy_bits), light(s.machine.xy_bits);
+        test::fill_depth(random, s.machine, observer.depth);
+        test::fill_depth(random, s.machine, light.depth);
+        hw::MatrixWords m = test::random_matrix(random, s.machine, true);
+        if (!rows_cover(s, m)) m.exponent = {};  // narrow coefficients: keep the shift in range
+        if (!rows_cover(s, m)) continue;
+        expect_forms_agree(observer.store, light.store, m, s,
+                           "round " + std::to_string(round) + " ", shadowed);
+    }
+    EXPECT_GT(shadowed, 100000u) << "too little in shadow for a test";
+}
+
+// The figures' views at every size, and biases from absurd to negative.
+TEST(PostProcessRows, TheFiguresMatrixAtEverySizeAndBias) {
+    Random random;
+    std::uint64_t shadowed = 0;
+    const test::FigureScene figures;
+    for (int xy = 4; xy <= 9; ++xy) {
+        Settings s = test::random_settings(random, true);
+        s.machine = {};
+        s.machine.xy_bits = xy;
+        test::Frame<> frame(figures.scene(), s);
+        ASSERT_EQ(frame.status, FrameStatus::ok);
+        for (const Lookup lookup : {Lookup::nearest, Lookup::bilinear})
+            for (const std::int64_t bias : {-100000, -64, 0, 1, 64, 192, 32767, 65535, 1 << 20}) {
+                s.lookup = lookup;
+                s.bias_q16 = bias << 16;
+                s.dither.shape = static_cast<hw::DitherShape>(random.bits() % 5);
+                s.background = test::pick(random, {Background::blend, Background::fall_back});
+                s.registration = test::pick(random, {Registration::centre, Registration::index});
+                ASSERT_EQ(load_matrices(figures.scene(), s, frame.matrices), FrameStatus::ok);
+                expect_forms_agree(frame.buffers.observer, frame.buffers.light,
+                                   frame.matrices.observer_to_light, s, "figures ", shadowed);
+                if (HasFailure()) return;
+            }
+    }
+    EXPECT_GT(shadowed, 100000u);
+}
+
+// Every shape of noise, lookup, background and registration, on one frame each.
+TEST(PostProcessRows, EverySettingOnce) {
+    std::uint64_t shadowed = 0;
+    const test::FigureScene figures;
+    Settings s;
+    s.machine.xy_bits = 6;
+    test::Frame<> frame(figures.scene(), s);
+    for (int shape = 0; shape < 5; ++shape)
+        for (int bits = 0; bits < 8; ++bits)
+            for (const int size : {0, 64, 256, 1024}) {
+                s.dither.shape = static_cast<hw::DitherShape>(shape);
+                s.dither.size_q8 = size;
+                s.lookup = (bits & 1) != 0 ? Lookup::bilinear : Lookup::nearest;
+                s.background = (bits & 2) != 0 ? Background::fall_back : Background::blend;
+                s.registration = (bits & 4) != 0 ? Registration::index : Registration::centre;
+                ASSERT_EQ(load_matrices(figures.scene(), s, frame.matrices), FrameStatus::ok);
+                expect_forms_agree(frame.buffers.observer, frame.buffers.light,
+                                   frame.matrices.observer_to_light, s, "", shadowed);
+                if (HasFailure()) return;
+            }
+    EXPECT_GT(shadowed, 10000u);
+}
+
+// A matrix that only scales the light's position to each texel's edge, a step to either side of
+// it, and the Z codes at the ends of the range.
+TEST(PostProcessRows, TexelEdgesAndExtremeCodes) {
+    std::uint64_t shadowed = 0;
+    Settings s;
+    s.machine.xy_bits = 4;
+    OwnedStore<hw::Depth16> observer(4), light(4);
+    for (std::size_t a = 0; a < 256; ++a) {
+        observer.depth[a] = std::array<hw::Depth16, 4>{0, 1, 65534, 65535}[a % 4];
+        light.depth[a] = std::array<hw::Depth16, 3>{0, 65533, 65535}[a / 16 % 3];
+    }
+    hw::MatrixWords m;
+    m.word = {{{1 << 14, 0, 0, 0}, {0, 1 << 14, 0, 0}, {0, 0, 1 << 14, 0}, {0, 0, 0, 1 << 14}}};
+    const int shift = hw::affine_shift(m, hw::Row::x, s.machine, hw::screen_words(s.machine),
+                                       s.machine.fraction_bits);
+    ASSERT_EQ(shift, 19);
+    // The fourth word moves X and Y by its 32nd part of 2^-7 texel, and Z by itself: 16 is half a
+    // step, 2048 half a texel, which brings a pixel's centre to the edge of a texel.
+    for (const int fine : {-17, -16, -15, -1, 0, 1, 15, 16, 17, 2048 - 16, 2048, 2048 + 16})
+        for (const int z : {-32768, -1, 0, 1, 8, 32767})
+            for (const Registration registration : {Registration::centre, Registration::index})
+                for (const Lookup lookup : {Lookup::nearest, Lookup::bilinear}) {
+                    m.word[0][3] = m.word[1][3] = fine;
+                    m.word[2][3] = z;
+                    s.registration = registration;
+                    s.lookup = lookup;
+                    expect_forms_agree(observer.store, light.store, m, s,
+                                       std::to_string(fine) + " ", shadowed);
+                    if (HasFailure()) return;
+                }
+    EXPECT_GT(shadowed, 1000u);
+}
+
+TEST(PostProcessRows, CoverWhatTheySay) {
+    const test::FigureScene figures;
+    FrameMatrices matrices;
+    const Settings base;
+    ASSERT_EQ(load_matrices(figures.scene(), base, matrices), FrameStatus::ok);
+    const hw::MatrixWords m = matrices.observer_to_light;
+    EXPECT_TRUE(rows_cover(base, m));
+
+    const auto covers = [&](auto change) {
+        Settings s = base;
+        hw::MatrixWords words = m;
+        change(s, words);
+        return rows_cover(s, words);
+    };
+    using W = hw::MatrixWords;
+    EXPECT_FALSE(covers([](Settings&, W& w) { w.affine = false; }));
+    EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.xy_bits = 10; })) << "wider than a row";
+    EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.z_bits = 17; }));
+    EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.coefficient_bits = 17; }));
+    for (int f = 0; f <= 12; ++f)
+        EXPECT_EQ(covers([&](Settings& s, W&) { s.machine.fraction_bits = f; }), f >= 1 && f <= 7)
+            << f;
+    for (const Rounding r : fixed::test::all_roundings)
+        EXPECT_EQ(covers([&](Settings& s, W&) { s.machine.transform_rounding = r; }),
+                  r == Rounding::half_up || r == Rounding::floor);
+    // The shift is 14 - e here; from 6 to 28 the 32-bit lanes hold all parts.
+    for (std::size_t row = 0; row < 3; ++row)
+        for (int e = hw::least_exponent; e <= hw::greatest_exponent; ++e)
+            EXPECT_EQ(covers([&](Settings&, W& w) { w.exponent[row] = e; }), e >= -14 && e <= 8)
+                << "row " << row << " exponent " << e;
+    EXPECT_TRUE(covers([](Settings&, W& w) { w.exponent[3] = 31; })) << "the W row is not used";
+}
+
+// At the first and last shift it covers, the row form still has room.
+TEST(PostProcessRows, ExtremeShifts) {
+    Random random;
+    std::uint64_t shadowed = 0;
+    int rounds = 0;
+    for (int round = 0; round < 200 && !::testing::Test::HasFailure(); ++round) {
+        Settings s = test::random_settings(random, true);
+        s.machine.z_bits = s.machine.coefficient_bits = 16;
+        OwnedStore<hw::Depth16> observer(s.machine.xy_bits), light(s.machine.xy_bits);
+        test::fill_depth(random, s.machine, observer.depth);
+        test::fill_depth(random, s.machine, light.depth);
+        hw::MatrixWords m = test::random_matrix(random, s.machine, true);
+        for (std::size_t r = 0; r < 3; ++r) {
+            m.exponent[r] = 0;
+            const int shift =
+                hw::affine_shift(m, static_cast<hw::Row>(r), s.machine,
+                                 hw::screen_words(s.machine),
+                                 r == 2 ? s.machine.depth_fraction() : s.machine.fraction_bits);
+            m.exponent[r] = shift - test::pick(random, {6, 7, 27, 28});
+            for (std::int32_t& w : m.word[r])
+                if (random.bits() % 2 == 0) w = test::pick(random, {-32768, 32767});
+        }
+        ++rounds;
+        expect_forms_agree(observer.store, light.store, m, s, "", shadowed);
+    }
+    EXPECT_EQ(rounds, 200);
+    EXPECT_GT(shadowed, 1000u);
+}
+
+// --- what the frame is charged ------------------------------------------------------------------
+
+TEST(PostProcessCycles, AreTheClosedForm) {
+    Settings s;
+    const std::uint64_t n = 106772;
+    const PostProcessCycles nearest = post_process_cycles(n, s, true);
+    EXPECT_EQ(nearest.read, 262144u);
+    EXPECT_EQ(nearest.write, 262144u);
+    EXPECT_EQ(nearest.transform, 3 * n + 3) << "three rows on four multipliers, three to drain";
+    EXPECT_EQ(nearest.divide, 0u) << "w is 1";
+    EXPECT_EQ(nearest.lookup, n);
+    EXPECT_EQ(nearest.overlapped(), nearest.transform);
+    s.lookup = Lookup::bilinear;
+    EXPECT_EQ(post_process_cycles(n, s, true).lookup, 4 * n);
+    EXPECT_EQ(post_process_cycles(n, s, true).overlapped(), 4 * n);
+    const PostProcessCycles perspective = post_process_cycles(n, s, false);
+    EXPECT_EQ(perspective.transform, 4 * n + 3);
+    EXPECT_EQ(perspective.divide,
+              n * static_cast<std::uint64_t>(hw::serial_divide_cycles(s.machine)));
+    for (const int multipliers : {1, 4, 16}) {
+        s.machine.multipliers = multipliers;
+        const std::uint64_t each = multipliers == 1 ? 9 : multipliers == 4 ? 3 : 1;
+        const PostProcessCycles c = post_process_cycles(n, s, true);
+        EXPECT_EQ(c.transform - post_process_cycles(n - 1, s, true).transform, each);
+    }
+    const PostProcessCycles empty = post_process_cycles(0, s, true);
+    EXPECT_EQ(empty.transform + empty.divide + empty.lookup, 0u);
+    EXPECT_EQ(empty.overlapped(), 262144u) << "the stores are still read and written";
+}
+
+}  // namespace
+}  // namespace umbra78::shadow

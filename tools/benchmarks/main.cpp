@@ -1,0 +1,163 @@
+// umbra78_bench: the stages of figure 6 and the float baseline, as ratios in one run.
+//
+// Google Benchmark interleaves the repetitions at random, so that a noisy machine slows all rows
+// alike; what counts is the last column, a stage's median over the affine float baseline's.
+
+#include "shadow/correct_form.hpp"
+#include "shadow/frame.hpp"
+#include "shadow/paper_figures.hpp"
+#include "tools/benchmarks/float_baseline.hpp"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace umbra78;
+using hw::Depth16;
+
+constexpr const char* baseline_name = "float post-process, affine";
+
+// The figures' scene, drawn once; every benchmark runs one stage of it again.
+struct Bench {
+    shadow::FigurePatches patches = shadow::figure_patches();
+    raster::Material material = shadow::figure_material;
+    shadow::Scene scene{patches,
+                        {&material, 1},
+                        shadow::figure_view(0),
+                        shadow::figure_view(shadow::figure_azimuth_q16)};
+    std::vector<std::byte> memory;
+    shadow::FrameBuffers<Depth16> frame;
+    shadow::FrameMatrices matrices;
+    shadow::FrameCounts counts;
+    tools::FloatMatrix floats{};
+
+    explicit Bench(const shadow::Settings& settings)
+        : memory(shadow::frame_bytes<Depth16>(settings.machine, patches.size()) + 64) {
+        void* at = memory.data();
+        std::size_t space = memory.size();
+        auto* aligned = static_cast<std::byte*>(std::align(64, space - 64, at, space));
+        frame = shadow::carve<Depth16>({aligned, space}, settings.machine, patches.size());
+        shadow::render(scene, settings, frame, matrices, counts);
+        make_float_matrix(static_cast<double>(settings.bias_q16) / 65536);
+    }
+
+    // The same turn about the vertical axis, on pixel coordinates and Z codes of both frames.
+    void make_float_matrix(double bias) {
+        const double angle = -100 * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+        const auto row = [&](std::size_t r, double x, double y, double z, double t) {
+            floats.m[r] = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z),
+                           static_cast<float>(t)};
+        };
+        row(0, c, 0, s / 128, 256 - 256 * c - 256 * s);
+        row(1, 0, 1, 0, 0);
+        row(2, -128 * s, 0, c, 32768 - 32768 * c + 128 * 256 * s - bias);
+        row(3, 0, 0, 0, 1);
+    }
+};
+
+Bench& bench_of(int figure) {
+    static std::map<int, std::unique_ptr<Bench>> all;
+    auto& b = all[figure];
+    if (!b) b = std::make_unique<Bench>(shadow::figure_settings(figure));
+    return *b;
+}
+
+template <class Stage>
+void add(const std::string& name, int figure, Stage&& stage) {
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+        Bench& b = bench_of(figure);
+        const shadow::Settings settings = shadow::figure_settings(figure);
+        for (auto _ : state) {
+            stage(b, settings);
+            benchmark::ClobberMemory();
+        }
+    })->Unit(benchmark::kMillisecond);
+}
+
+void add_all() {
+    using shadow::Settings;
+    for (const bool affine : {true, false})
+        add(affine ? baseline_name : "float post-process, with division", 3,
+            [=](Bench& b, const Settings&) {
+                tools::float_post_process(b.frame.observer.depth, b.frame.light.depth, 512,
+                                          b.floats, affine, b.frame.picture);
+            });
+    const auto cast = [](Bench& b, const Settings& s) {
+        shadow::cast_shadows(s, b.matrices, b.frame, b.counts);
+    };
+    add("post-process, figure 3 (nearest)", 3, cast);
+    add("post-process, figure 4 (bilinear, dither)", 4, cast);
+    add("post-process, figure 3, plain form", 3, [](Bench& b, const Settings& s) {
+        shadow::post_process(b.frame.observer, b.frame.light, b.matrices.observer_to_light, s,
+                             b.frame.mask);
+    });
+    add("matrices", 6, [](Bench& b, const Settings& s) {
+        shadow::load_matrices(b.scene, s, b.matrices);
+    });
+    add("light's view", 6, [](Bench& b, const Settings& s) {
+        shadow::draw_light(b.scene, s, b.matrices, b.frame, b.counts);
+    });
+    add("observer's view", 6, [](Bench& b, const Settings& s) {
+        shadow::draw_observer(b.scene, s, b.matrices, b.frame, b.counts);
+    });
+    add("filters and composite, figure 6", 6, [](Bench& b, const Settings& s) {
+        shadow::filter_and_composite(s, b.frame, b.counts);
+    });
+    add("figure 6, whole frame", 6, [](Bench& b, const Settings& s) {
+        shadow::render(b.scene, s, b.frame, b.matrices, b.counts);
+    });
+}
+
+// Collects the medians and prints them beside their ratio to the baseline.
+class RatioReporter : public benchmark::BenchmarkReporter {
+public:
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Aggregate || run.aggregate_name != "median") continue;
+            rows_.emplace_back(run.run_name.function_name, run.GetAdjustedRealTime());
+        }
+    }
+    void Finalize() override {
+        const auto base = std::find_if(rows_.begin(), rows_.end(),
+                                       [](const auto& r) { return r.first == baseline_name; });
+        fmt::print("{:<44} {:>10} {:>8}\n", "stage", "median ms", "ratio");
+        for (const auto& [name, ms] : rows_) {
+            const std::string ratio =
+                base == rows_.end() ? "" : fmt::format("{:.2f}", ms / base->second);
+            fmt::print("{:<44} {:>10.3f} {:>8}\n", name, ms, ratio);
+        }
+        fmt::print("ratio: to the affine float baseline, medians of one interleaved run\n");
+    }
+
+private:
+    std::vector<std::pair<std::string, double>> rows_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::vector<std::string> defaults{argv[0], "--benchmark_repetitions=15",
+                                      "--benchmark_enable_random_interleaving=true",
+                                      "--benchmark_report_aggregates_only=true",
+                                      "--benchmark_min_time=0.02"};
+    std::vector<char*> args;
+    for (std::string& s : defaults) args.push_back(s.data());
+    for (int k = 1; k < argc; ++k) args.push_back(argv[k]);
+    int count = static_cast<int>(args.size());
+    benchmark::Initialize(&count, args.data());
+    if (benchmark::ReportUnrecognizedArguments(count, args.data())) return 2;
+    add_all();
+    RatioReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    benchmark::Shutdown();
+}

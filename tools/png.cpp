@@ -1,0 +1,52 @@
+// PNG by stb_image_write.
+#include "tools/file_errors.hpp"
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace umbra78::tools {
+namespace {
+
+constexpr std::size_t most_bytes = 1 << 30;  // stb counts in int
+
+// stb's least level and the Sub filter in every row: 3 to 4 ms for a figure of 512 x 512, two
+// thirds of the time of stb's defaults, for about as many bytes.
+void write_png(const Path& path, int width, int height, int channels,
+               std::span<const std::uint8_t> samples, FileSet* set) {
+    expect_samples(path, width, height, samples.size(), static_cast<std::size_t>(channels));
+    static const bool prepared = [] {
+        stbi_write_png_compression_level = 5;
+        stbi_write_force_png_filter = 1;
+        return true;
+    }();
+    std::vector<std::byte> bytes;
+    const auto append_to = [](void* context, void* data, int length) {
+        const auto* from = static_cast<const std::byte*>(data);
+        auto& to = *static_cast<std::vector<std::byte>*>(context);
+        to.insert(to.end(), from, from + length);
+    };
+    if (!prepared || samples.size() > most_bytes ||
+        !stbi_write_png_to_func(append_to, &bytes, width, height, channels, samples.data(),
+                                width * channels))
+        fail_to_write(path, "the PNG compressor gave up", "write a smaller picture");
+    write_file(path, bytes, set);
+}
+
+}  // namespace
+
+void write_png_gray(const Path& path, int width, int height,
+                    std::span<const std::uint8_t> samples, FileSet* set) {
+    write_png(path, width, height, 1, samples, set);
+}
+
+void write_png_rgb(const Path& path, int width, int height,
+                   std::span<const std::uint8_t> samples, FileSet* set) {
+    write_png(path, width, height, 3, samples, set);
+}
+
+}  // namespace umbra78::tools

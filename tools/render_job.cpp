@@ -1,0 +1,128 @@
+#include "tools/render_job.hpp"
+
+#include "tools/scene_checks.hpp"
+
+#include <chrono>
+
+namespace umbra78::tools {
+namespace {
+
+// Runs a stage and returns its milliseconds.
+template <class Stage>
+double timed_ms(Stage stage) {
+    const auto start = std::chrono::steady_clock::now();
+    stage();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+constexpr std::uint64_t control_points = 16;
+
+}  // namespace
+
+RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings)
+    : scene_(scene), settings_(settings) {
+    load();
+    if (settings.machine.z_bits <= 16) {
+        allocate<hw::Depth16>();
+    } else {
+        allocate<hw::Depth32>();
+    }
+}
+
+template <class Depth>
+void RenderJob::allocate() {
+    bytes_ = shadow::frame_bytes<Depth>(settings_.machine, scene_.patches.size());
+    memory_.reset(new (std::align_val_t{64}) std::byte[bytes_]);
+    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, settings_.machine,
+                                  scene_.patches.size());
+}
+
+void RenderJob::use(const shadow::Settings& settings) {
+    settings_ = settings;
+    load();
+}
+
+void RenderJob::load() {
+    auto status = shadow::FrameStatus::ok;
+    times_.matrices_ms =
+        timed_ms([&] { status = shadow::load_matrices(scene_, settings_, matrices_); });
+    if (status != shadow::FrameStatus::ok) throw SceneError(explain(status));
+}
+
+void RenderJob::draw_light() {
+    std::visit(
+        [&](auto& frame) {
+            times_.light_ms = timed_ms(
+                [&] { shadow::draw_light(scene_, settings_, matrices_, frame, counts_); });
+        },
+        frame_);
+}
+
+void RenderJob::draw_observer() {
+    std::visit(
+        [&](auto& frame) {
+            times_.observer_ms = timed_ms(
+                [&] { shadow::draw_observer(scene_, settings_, matrices_, frame, counts_); });
+        },
+        frame_);
+}
+
+void RenderJob::cast_shadows() {
+    std::visit(
+        [&](auto& frame) {
+            times_.post_process_ms = timed_ms(
+                [&] { shadow::cast_shadows(settings_, matrices_, frame, counts_); });
+        },
+        frame_);
+}
+
+void RenderJob::filter_and_composite() {
+    std::visit(
+        [&](auto& frame) {
+            times_.filters_ms =
+                timed_ms([&] { shadow::filter_and_composite(settings_, frame, counts_); });
+        },
+        frame_);
+}
+
+void RenderJob::render() {
+    draw_light();
+    draw_observer();
+    cast_shadows();
+    filter_and_composite();
+}
+
+MachineCost RenderJob::cost() const {
+    const auto drawing = [&](const hw::MatrixWords& matrix) {
+        const hw::UnitCost unit = hw::transform_cost(settings_.machine, matrix.affine);
+        return control_points * scene_.patches.size() *
+               static_cast<std::uint64_t>(unit.cycles_per_point);
+    };
+    return {drawing(matrices_.world_to_light), drawing(matrices_.world_to_observer),
+            shadow::post_process_cycles(counts_.post_process.visible, settings_,
+                                        matrices_.observer_to_light.affine)};
+}
+
+Buffer RenderJob::observer_z() const {
+    return std::visit(
+        [&](const auto& f) {
+            using Depth = typename std::remove_reference_t<decltype(f.observer.depth)>::value_type;
+            return Buffer{"observer_z", settings_.machine.size_px(),
+                          settings_.machine.background(),
+                          std::span<const Depth>(f.observer.depth)};
+        },
+        frame_);
+}
+
+Buffer RenderJob::light_z() const {
+    return std::visit(
+        [&](const auto& f) {
+            using Depth = typename std::remove_reference_t<decltype(f.light.depth)>::value_type;
+            return Buffer{"light_z", settings_.machine.size_px(), settings_.machine.background(),
+                          std::span<const Depth>(f.light.depth)};
+        },
+        frame_);
+}
+
+}  // namespace umbra78::tools

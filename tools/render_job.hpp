@@ -1,0 +1,100 @@
+// A frame as the program draws it: its memory, its stages with their times, and its cost on the
+// machine.
+//
+// The core works in memory handed in; this is who owns it. Stages are run one by one, so that
+// what stands still between two pictures is drawn once. Host times are wall clock, milliseconds.
+#pragma once
+
+#include "shadow/frame.hpp"
+#include "tools/buffers.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <variant>
+#include <vector>
+
+namespace umbra78::tools {
+
+struct StageTimes {
+    double matrices_ms = 0, light_ms = 0, observer_ms = 0, post_process_ms = 0, filters_ms = 0;
+    double total_ms() const {
+        return matrices_ms + light_ms + observer_ms + post_process_ms + filters_ms;
+    }
+};
+
+// An assumption: a 16 x 16 multiply-accumulate of a TDC1010J-class part took 155 to 165 ns, and
+// its registers some more.
+inline constexpr double cycle_ns = 200;
+
+// What the transform unit did, in its cycles. Drawing transforms the 16 control points of each
+// patch; subdivision by adds and shifts has no cycle count yet.
+struct MachineCost {
+    std::uint64_t light_cycles = 0, observer_cycles = 0;
+    shadow::PostProcessCycles post_process;  // in the correct form of every generated point
+
+    std::uint64_t transform_cycles() const {
+        return light_cycles + observer_cycles + post_process.transform;
+    }
+};
+constexpr double simulated_ms(std::uint64_t cycles) {
+    return static_cast<double>(cycles) * cycle_ns * 1e-6;
+}
+
+class RenderJob {
+public:
+    // The scene's spans must live as long as the job. Throws SceneError if the frame's matrices
+    // do not fit.
+    RenderJob(const shadow::Scene&, const shadow::Settings&);
+
+    // Other settings for the stages that follow; the widths of X, Y and Z must stay.
+    void use(const shadow::Settings&);
+
+    void draw_light();
+    void draw_observer();
+    void cast_shadows();
+    void filter_and_composite();
+    void render();  // all of them, in order
+
+    const shadow::Settings& settings() const { return settings_; }
+    const shadow::FrameMatrices& matrices() const { return matrices_; }
+    const shadow::FrameCounts& counts() const { return counts_; }
+    const StageTimes& times() const { return times_; }
+    MachineCost cost() const;
+    std::size_t frame_bytes() const { return bytes_; }
+
+    // Views into the frame, as it stands.
+    Buffer observer_z() const;
+    Buffer light_z() const;
+    Buffer intensity() const;
+    Buffer mask() const;      // as compared
+    Buffer edges() const;     // dequantized
+    Buffer filtered() const;  // low-passed
+    Buffer picture() const;
+    std::array<Buffer, 7> buffers() const;
+
+    std::span<const std::uint8_t> bytes(const Buffer&) const;  // of an 8-bit one
+    std::vector<std::uint8_t> visible() const;                 // 1 where something was drawn
+
+private:
+    struct Free {
+        void operator()(std::byte* memory) const {
+            ::operator delete[](memory, std::align_val_t{64});
+        }
+    };
+    template <class Depth>
+    void allocate();
+    void load();
+
+    shadow::Scene scene_;
+    shadow::Settings settings_;
+    shadow::FrameMatrices matrices_{};
+    shadow::FrameCounts counts_{};
+    StageTimes times_{};
+    std::size_t bytes_ = 0;
+    std::unique_ptr<std::byte[], Free> memory_;
+    std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;
+};
+
+}  // namespace umbra78::tools

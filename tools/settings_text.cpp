@@ -1,0 +1,174 @@
+#include "tools/settings_text.hpp"
+
+#include "fixed/decimal.hpp"
+#include "tools/scene_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+using shadow::Setting;
+using shadow::SettingKind;
+using shadow::Settings;
+
+std::int64_t read(const Setting& setting, const TomlNode& node, const std::string& called) {
+    if (setting.kind == SettingKind::choice) return read_choice(node, called, setting.names);
+    return read_number(node, called, {setting.fraction, setting.least, setting.most});
+}
+
+void apply_profile(std::string_view name, Settings& settings) {
+    for (const shadow::Profile& profile : shadow::profiles()) {
+        if (profile.name != name) continue;
+        settings.machine.coefficient_bits = profile.coefficient_bits;
+        settings.machine.multipliers = profile.multipliers;
+    }
+}
+
+std::int64_t default_of(const Setting& setting) { return setting.get(Settings{}); }
+
+ordered_json json_value(const Setting& setting, std::int64_t word) {
+    if (setting.kind == SettingKind::whole) return word;
+    if (setting.kind == SettingKind::decimal)
+        return static_cast<double>(word) / static_cast<double>(std::int64_t{1} << setting.fraction);
+    return setting.names[static_cast<std::size_t>(word)];
+}
+
+using Row = std::array<std::string, 5>;
+
+std::string markdown_table(const std::vector<Row>& rows, std::size_t columns) {
+    std::array<std::size_t, 5> width{};
+    for (const Row& row : rows)
+        for (std::size_t c = 0; c < columns; ++c) width[c] = std::max(width[c], row[c].size());
+    std::string text;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        for (std::size_t c = 0; c < columns; ++c)
+            text += fmt::format("| {:<{}} ", rows[r][c], width[c]);
+        text += "|\n";
+        for (std::size_t c = 0; r == 0 && c < columns; ++c)
+            text += fmt::format("|{:-<{}}", "", width[c] + 2);
+        text += r == 0 ? "|\n" : "";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string print(const Setting& setting, std::int64_t word) {
+    if (setting.kind == SettingKind::choice)
+        return std::string(setting.names[static_cast<std::size_t>(word)]);
+    std::array<char, fixed::longest_decimal> text;
+    const int length = fixed::print_decimal(word, setting.fraction, text);
+    return {text.data(), static_cast<std::size_t>(length)};
+}
+
+std::string print_range(const Setting& setting) {
+    if (setting.kind == SettingKind::choice)
+        return fmt::format("{}", fmt::join(setting.names, ", "));
+    return print(setting, setting.least) + " .. " + print(setting, setting.most);
+}
+
+void apply_settings(const TomlNode& table, Settings& settings) {
+    std::vector<std::string_view> keys{"profile"}, profiles;
+    for (const Setting& setting : shadow::settings_table()) keys.push_back(setting.key);
+    for (const shadow::Profile& profile : shadow::profiles()) profiles.push_back(profile.name);
+    const TableReader in(table, "[settings]", keys);
+
+    for (const TomlNode& node : table.children)
+        if (node.key == "profile")
+            apply_profile(profiles[static_cast<std::size_t>(
+                              read_choice(node, in.called("profile"), profiles))],
+                          settings);
+    for (const TomlNode& node : table.children) {
+        const Setting* setting = shadow::find_setting(node.key);
+        if (!setting) continue;
+        setting->set(settings, read(*setting, node, in.called(node.key)));
+        if (hw::check(settings.machine) != hw::SpecStatus::ok)  // a width with gaps in its range
+            fail(node, fmt::format("{} is {}, which the machine cannot be built with ({})",
+                                   in.called(node.key), node.text, setting->meaning));
+    }
+}
+
+Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective) {
+    const TomlNode none;
+    const TomlNode& first = file ? *file : none;
+    const auto given = [&](std::string_view key) {
+        return first.find(key) != nullptr || overrides.find(key) != nullptr;
+    };
+    Settings settings;
+    if (perspective && !given("profile") && !given("coefficient_bits"))
+        apply_profile("perspective24", settings);
+    apply_settings(first, settings);
+    apply_settings(overrides, settings);
+    return settings;
+}
+
+std::string settings_help() {
+    std::string text = "Settings, for [settings] in a scene file and for --set:\n";
+    const auto line = [&](std::string_view key, std::string_view range, std::string_view meaning,
+                          std::string_view otherwise) {
+        text += fmt::format("  {:<22}{}\n{:24}{}\n", key, meaning, "", range);
+        if (!otherwise.empty()) text.insert(text.size() - 1, fmt::format("; {}", otherwise));
+    };
+    std::vector<std::string_view> names;
+    for (const shadow::Profile& profile : shadow::profiles()) names.push_back(profile.name);
+    line("profile", fmt::format("{}", fmt::join(names, ", ")),
+         "sets coefficient_bits and multipliers, before the other keys", "");
+    for (const Setting& s : shadow::settings_table())
+        line(s.key, fmt::format("{}{}{}", print_range(s), s.unit.empty() ? "" : " ", s.unit),
+             s.meaning, fmt::format("default {}", print(s, default_of(s))));
+    return text + "Views: observer.KEY and light.KEY, such as --set light.azimuth=-80\n";
+}
+
+std::string settings_markdown() {
+    std::vector<Row> rows{{"key", "unit", "range", "default", "meaning"}};
+    for (const Setting& s : shadow::settings_table())
+        rows.push_back({fmt::format("`{}`", s.key), std::string(s.unit), print_range(s),
+                        print(s, default_of(s)), std::string(s.meaning)});
+    std::vector<Row> named{{"profile", "coefficient_bits", "multipliers", "meaning"}};
+    for (const shadow::Profile& p : shadow::profiles())
+        named.push_back({fmt::format("`{}`", p.name), fmt::format("{}", p.coefficient_bits),
+                         fmt::format("{}", p.multipliers), std::string(p.meaning)});
+    return markdown_table(rows, 5) + "\n" + markdown_table(named, 4);
+}
+
+ordered_json settings_json() {
+    ordered_json settings = ordered_json::array(), profiles = ordered_json::array();
+    for (const Setting& s : shadow::settings_table()) {
+        ordered_json& row = settings.emplace_back();
+        row["key"] = s.key;
+        row["unit"] = s.unit;
+        if (s.kind == SettingKind::choice) {
+            row["choices"] = ordered_json::array();
+            for (const std::string_view name : s.names) row["choices"].push_back(name);
+        } else {
+            row["least"] = json_value(s, s.least);
+            row["most"] = json_value(s, s.most);
+            row["fraction_bits"] = s.fraction;
+        }
+        row["default"] = json_value(s, default_of(s));
+        row["meaning"] = s.meaning;
+    }
+    for (const shadow::Profile& p : shadow::profiles())
+        profiles.push_back({{"name", p.name},
+                            {"coefficient_bits", p.coefficient_bits},
+                            {"multipliers", p.multipliers},
+                            {"meaning", p.meaning}});
+    return {{"settings", settings}, {"profiles", profiles}};
+}
+
+ordered_json settings_json(const Settings& settings) {
+    ordered_json json;
+    for (const Setting& s : shadow::settings_table())
+        json[std::string(s.key)] = json_value(s, s.get(settings));
+    return json;
+}
+
+}  // namespace umbra78::tools
