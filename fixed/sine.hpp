@@ -5,10 +5,10 @@
 //
 // That sentence is the whole specification: any correct program, in any language, gives these
 // words. No value is a tie, for a sine of a rational number of degrees that is itself rational is
-// 0, +-1/2 or +-1 (Niven). Measured over every angle there is (tests/fixed/long_sine_test.cpp), the
-// closest to a tie is the sine of 236262/65536 degrees, 51 units of 2^-63 (2^-57.3) away from it;
-// the evaluation below is off by 3 units at most. (libm in double precision, on the unreduced angle
-// in radians, gets 5 of the 47 million words wrong.)
+// 0, +-1/2 or +-1 (Niven). Over every angle there is (tests/fixed/long_sine_test.cpp) the closest
+// to a tie is the sine of 236262/65536 degrees, 51 units of 2^-63 (2^-57.3) away from it, and the
+// evaluation below is off by 3 units at most. (The 53-bit sine and cosine of libm, given the angle
+// in radians and unreduced, get 5 of the 47 million words wrong.)
 //
 // Evaluation. The angle is reduced modulo 360 and folded into 0..45 degrees in integers, hence
 // exactly. There, with x in radians, y = x^2, all in U1.63:

@@ -158,6 +158,7 @@ void filter_and_composite(const Settings& settings, FrameBuffers<Depth>& frame,
                           FrameCounts& counts) {
     const auto none = static_cast<Depth>(settings.machine.background());
     std::copy(frame.mask.begin(), frame.mask.end(), frame.edges.begin());
+    counts.chain_steps = 0;
     if (settings.dequantize_passes > 0)
         counts.chain_steps =
             dequantize(frame.mask, frame.observer, none, settings.dequantize_passes,

@@ -1,6 +1,7 @@
 #include "tools/metrics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -95,31 +96,45 @@ std::vector<std::uint8_t> light_texel_band(const TruthScene& scene, const TruthL
                                            const TruthView& light_view, const Truth& truth,
                                            double filter_radius_px, double reach_texels) {
     const Real3 &right = light_view.rotation[0], &up = light_view.rotation[1];
-    // Whether truth's answer at the pixel is another one, `x`, `y` texels away.
+    const auto texel = [&](std::size_t at) {
+        const double depth = light_view.project(truth.position[at])[2];
+        return light_view.pixel() * (light_view.perspective ? depth / light_view.distance : 1);
+    };
+    // Whether truth's answer at the pixel is another one, `x`, `y` away in the light's image.
     const auto changes = [&](std::size_t at, double x, double y) {
         const int surface = truth.surface[at];
         const bool faces_light = truth.n_dot_l[at] > 0;
-        const double depth = light_view.project(truth.position[at])[2];
-        const double texel =
-            light_view.pixel() * (light_view.perspective ? depth / light_view.distance : 1);
-        const Ray ray = light.ray(
-            along(along(truth.position[at], x * texel, right), y * texel, up));
+        const Ray ray = light.ray(along(along(truth.position[at], x, right), y, up));
         const Slid slid = slide(scene, surface, faces_light, ray);
         if (blocked(scene, ray, slid.t, light.reach(), surface)) return truth.lit[at] != 0;
         return slid.over_the_edge || faces_light != (truth.lit[at] != 0);
     };
 
+    std::array<std::array<double, 2>, 16> ways;
+    for (int i = 0; i < 16; ++i) {
+        const double reach = reach_texels * (i < 8 ? 1 : 0.5), angle = i * pi / 4;
+        ways[i] = {reach * std::cos(angle), reach * std::sin(angle)};
+    }
     std::vector<std::uint8_t> band(truth.visible.size());
     for (std::size_t at = 0; at < band.size(); ++at) {
-        bool inside = false;
-        for (int i = 0; truth.visible[at] && !inside && i < 16; ++i) {
-            const double reach = reach_texels * (i < 8 ? 1 : 0.5), angle = i * pi / 4;
-            inside = changes(at, reach * std::cos(angle), reach * std::sin(angle));
-        }
-        if (!inside) continue;
-        for_disc(truth.size, at, filter_radius_px, [&](std::size_t near) { band[near] = 1; });
+        if (!truth.visible[at]) continue;
+        const double unit = texel(at);
+        const bool inside = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+            return changes(at, way[0] * unit, way[1] * unit);
+        });
+        band[at] = inside;
     }
-    return band;
+    return widened(band, truth.size, filter_radius_px);
+}
+
+std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& band, int size,
+                                  double radius_px) {
+    expect_image(band.size(), size, "the band");
+    std::vector<std::uint8_t> wider = band;
+    for (std::size_t at = 0; at < band.size() && radius_px >= 1; ++at)
+        if (band[at])
+            for_disc(size, at, radius_px, [&](std::size_t near) { wider[near] = 1; });
+    return wider;
 }
 
 int isolated_pixels(const MachineMask& mask, int size) {

@@ -53,6 +53,10 @@ std::vector<std::uint8_t> light_texel_band(const TruthScene&, const TruthLight&,
                                            const TruthView& light_view, const Truth&,
                                            double filter_radius_px, double reach_texels = 1);
 
+// The band and every pixel within `radius_px` of it.
+std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& band, int size,
+                                  double radius_px);
+
 // Drawn pixels with drawn 4-neighbours none of which has the same answer.
 int isolated_pixels(const MachineMask&, int size);
 

@@ -104,25 +104,52 @@ MachineCost RenderJob::cost() const {
                                         matrices_.observer_to_light.affine)};
 }
 
-Buffer RenderJob::observer_z() const {
+const char* name_of(Plane plane) {
+    constexpr const char* names[] = {"observer_z", "light_z",  "intensity", "mask",
+                                     "edges",      "filtered", "picture"};
+    return names[static_cast<std::size_t>(plane)];
+}
+
+Buffer RenderJob::buffer(Plane plane) const {
+    const hw::MachineSpec& spec = settings_.machine;
+    const auto depth = [&](const auto& store) {
+        using Word = typename std::remove_cvref_t<decltype(store.depth)>::value_type;
+        return Buffer{name_of(plane), spec.size_px(), spec.background(),
+                      std::span<const Word>(store.depth)};
+    };
     return std::visit(
-        [&](const auto& f) {
-            using Depth = typename std::remove_reference_t<decltype(f.observer.depth)>::value_type;
-            return Buffer{"observer_z", settings_.machine.size_px(),
-                          settings_.machine.background(),
-                          std::span<const Depth>(f.observer.depth)};
+        [&](const auto& frame) {
+            if (plane == Plane::observer_z) return depth(frame.observer);
+            if (plane == Plane::light_z) return depth(frame.light);
+            return Buffer{name_of(plane), spec.size_px(), 255, bytes(plane)};
         },
         frame_);
 }
 
-Buffer RenderJob::light_z() const {
+std::span<const std::uint8_t> RenderJob::bytes(Plane plane) const {
     return std::visit(
-        [&](const auto& f) {
-            using Depth = typename std::remove_reference_t<decltype(f.light.depth)>::value_type;
-            return Buffer{"light_z", settings_.machine.size_px(), settings_.machine.background(),
-                          std::span<const Depth>(f.light.depth)};
+        [&](const auto& frame) -> std::span<const std::uint8_t> {
+            switch (plane) {
+                case Plane::intensity: return frame.observer.intensity;
+                case Plane::mask: return frame.mask;
+                case Plane::edges: return frame.edges;
+                case Plane::filtered: return frame.filtered;
+                case Plane::picture: return frame.picture;
+                default: return {};
+            }
         },
         frame_);
+}
+
+std::vector<std::uint8_t> RenderJob::visible() const {
+    const std::uint32_t background = settings_.machine.background();
+    std::vector<std::uint8_t> seen;
+    std::visit(
+        [&](const auto& frame) {
+            for (const std::uint32_t code : frame.observer.depth) seen.push_back(code != background);
+        },
+        frame_);
+    return seen;
 }
 
 }  // namespace umbra78::tools

@@ -42,6 +42,21 @@ constexpr double simulated_ms(std::uint64_t cycles) {
     return static_cast<double>(cycles) * cycle_ns * 1e-6;
 }
 
+// A frame's planes. Z is 16 or 32 bits a word, the others are 8.
+enum class Plane : std::uint8_t {
+    observer_z,
+    light_z,
+    intensity,
+    mask,      // as compared
+    edges,     // after the edge dequantizing
+    filtered,  // after the low-pass
+    picture,
+};
+inline constexpr std::array all_planes{Plane::observer_z, Plane::light_z, Plane::intensity,
+                                       Plane::mask,       Plane::edges,   Plane::filtered,
+                                       Plane::picture};
+const char* name_of(Plane);
+
 class RenderJob {
 public:
     // The scene's spans must live as long as the job. Throws SceneError if the frame's matrices
@@ -64,18 +79,10 @@ public:
     MachineCost cost() const;
     std::size_t frame_bytes() const { return bytes_; }
 
-    // Views into the frame, as it stands.
-    Buffer observer_z() const;
-    Buffer light_z() const;
-    Buffer intensity() const;
-    Buffer mask() const;      // as compared
-    Buffer edges() const;     // dequantized
-    Buffer filtered() const;  // low-passed
-    Buffer picture() const;
-    std::array<Buffer, 7> buffers() const;
-
-    std::span<const std::uint8_t> bytes(const Buffer&) const;  // of an 8-bit one
-    std::vector<std::uint8_t> visible() const;                 // 1 where something was drawn
+    // A view into the frame, as it stands.
+    Buffer buffer(Plane) const;
+    std::span<const std::uint8_t> bytes(Plane) const;  // of a plane of 8 bits
+    std::vector<std::uint8_t> visible() const;         // 1 where something was drawn
 
 private:
     struct Free {

@@ -77,9 +77,10 @@ public:
     }
     // low .. high, both included.
     std::int64_t between(std::int64_t low, std::int64_t high) {
-        const std::uint64_t span = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+        const auto base = static_cast<std::uint64_t>(low);
+        const std::uint64_t span = static_cast<std::uint64_t>(high) - base;
         const std::uint64_t draw = span == UINT64_MAX ? bits() : bits() % (span + 1);
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + draw);
+        return static_cast<std::int64_t>(base + draw);
     }
     // Any length is as likely as any other; one draw in four lies at a boundary.
     std::int64_t word() {

@@ -89,7 +89,7 @@ TEST(PrintDecimal, BufferTooShortTraps) {
 
 TEST(Decimal, Every16BitWordComesBack) {
     for (std::int64_t v = INT16_MIN; v <= INT16_MAX; ++v) {
-        for (const int f : {0, 1, 7, 15, 16, 48}) {
+        for (const int f : {0, 7, 16}) {
             ASSERT_EQ(parse_decimal(printed(v, f), f, 16), good(v)) << printed(v, f);
         }
     }

@@ -86,7 +86,8 @@ TEST(Fixed, NarrowingIsConvert) {
     for (int i = 0; i < 100000; ++i) {
         const auto wide = any<Fixed<20, 30>>(random);
         const Rounding r = random.rounding();
-        for (const Overflow o : {Overflow::wrap, Overflow::saturate, Overflow::saturate_symmetric}) {
+        for (const Overflow o :
+             {Overflow::wrap, Overflow::saturate, Overflow::saturate_symmetric}) {
             ASSERT_EQ(wide.narrow_to<Pixel>(r, o).word(),
                       convert(wide.word(), signed_format(20, 30), signed_format(8, 7), r, o));
         }

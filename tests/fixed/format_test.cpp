@@ -93,7 +93,8 @@ constexpr auto up = Rounding::half_up;
 
 TEST(Convert, TrapsWhereItShould) {
     static_assert(convert(128, q8_7, q1_14, up, Overflow::trap) == 1 << 14);
-    static_assert(!test::is_constant([] { return convert(256, q8_7, q1_14, up, Overflow::trap); }));
+    static_assert(
+        !test::is_constant([] { return convert(256, q8_7, q1_14, up, Overflow::trap); }));
     EXPECT_DEATH(convert(256, q8_7, q1_14, up, Overflow::trap), "");
     EXPECT_DEATH(convert(40000, q8_7, q1_14, up, Overflow::wrap), "");
     EXPECT_DEATH(convert(0, q8_7, signed_format(40, 40), up, Overflow::wrap), "");

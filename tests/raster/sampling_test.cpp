@@ -1,0 +1,206 @@
+// Sampling: the triangle's depth against exact rationals, the slack, which pixels are visited, and
+// Z codes at the ends of their range.
+#include "raster/sampling.hpp"
+
+#include "tests/raster/exact_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace umbra78::raster {
+namespace {
+
+using namespace test;
+using fixed::Rounding;
+
+// A leaf's triangle: at most a pixel wide, anywhere in a frame of 4096 pixels, any depths.
+std::array<Corner, 3> random_triangle(Random& random) {
+    const auto word = [&](std::int64_t reach) {
+        return static_cast<std::int32_t>(random.between(-reach, reach));
+    };
+    const std::int32_t x = word(2048 << 13), y = word(2048 << 13), z = word(1 << 28);
+    const std::int64_t size = std::int64_t{1} << random.between(3, 12);  // half its width
+    const std::int64_t rise = std::int64_t{1} << random.between(0, 22);
+    std::array<Corner, 3> t{};
+    for (Corner& c : t) c = {x + word(size), y + word(size), z + word(rise)};
+    return t;
+}
+
+Int128 edge(const Corner& p, const Corner& q, std::int64_t x, std::int64_t y) {
+    return Int128{q.x - p.x} * (y - p.y) - Int128{x - p.x} * (q.y - p.y);
+}
+
+// The plane of the triangle at (x, y), rounded half up, by its normal.
+std::int64_t plane_depth(const std::array<Corner, 3>& t, std::int64_t x, std::int64_t y) {
+    const auto& [a, b, c] = t;
+    const Int128 nx = Int128{b.y - a.y} * (c.z - a.z) - Int128{b.z - a.z} * (c.y - a.y);
+    const Int128 ny = Int128{b.z - a.z} * (c.x - a.x) - Int128{b.x - a.x} * (c.z - a.z);
+    Int128 nz = edge(a, b, c.x, c.y);
+    Int128 rise = -(nx * (x - a.x) + ny * (y - a.y));
+    if (nz < 0) {
+        nz = -nz;
+        rise = -rise;
+    }
+    const Int128 z = fixed::test::model_round(rise, nz, Rounding::half_up) + a.z;
+    return static_cast<std::int64_t>(z);
+}
+
+TEST(TriangleDepth, IsTheExactPlaneWithinAndClampedInTheSlack) {
+    Random random;
+    int within = 0, in_slack = 0, outside = 0;
+    for (int n = 0; n < 200000; ++n) {
+        const auto t = random_triangle(random);
+        const auto& [a, b, c] = t;
+        const auto [x0, x1] = std::minmax({a.x, b.x, c.x});
+        const auto [y0, y1] = std::minmax({a.y, b.y, c.y});
+        const auto [z0, z1] = std::minmax({a.z, b.z, c.z});
+        const auto x = static_cast<std::int32_t>(random.between(x0 - 200, x1 + 200));
+        const auto y = static_cast<std::int32_t>(random.between(y0 - 200, y1 + 200));
+        std::int64_t z = 0;
+        const bool drawn = triangle_depth(a, b, c, x, y, z);
+        const Int128 area = edge(a, b, c.x, c.y), sign = area < 0 ? -1 : 1;
+        const Int128 wc = sign * edge(a, b, x, y), wa = sign * edge(b, c, x, y);
+        const Int128 wb = sign * edge(c, a, x, y);
+        if (area == 0) {
+            ASSERT_FALSE(drawn) << "edge-on";
+            continue;
+        }
+        if (wa >= 0 && wb >= 0 && wc >= 0) {
+            ++within;
+            ASSERT_TRUE(drawn);
+            ASSERT_EQ(z, std::clamp<std::int64_t>(plane_depth(t, x, y), z0, z1)) << "case " << n;
+        } else if (drawn) {
+            ++in_slack;
+            // No farther from each edge's line than the slack's diagonal, and in the grown box.
+            const auto past = [&](Int128 w, const Corner& p, const Corner& q) {
+                return -static_cast<double>(w) / std::hypot(q.x - p.x, q.y - p.y);
+            };
+            const double far = std::max({past(wc, a, b), past(wa, b, c), past(wb, c, a)});
+            ASSERT_LE(far, 128 * std::sqrt(2.0) + 1e-6);
+            ASSERT_TRUE(x >= x0 - 128 && x <= x1 + 128 && y >= y0 - 128 && y <= y1 + 128);
+            ASSERT_EQ(z, std::clamp<std::int64_t>(plane_depth(t, x, y), z0, z1)) << "case " << n;
+        } else {
+            ++outside;
+        }
+        // Neither the order of the corners nor the side it is seen from matters.
+        std::int64_t turned = 0, behind = 0;
+        ASSERT_EQ(triangle_depth(b, c, a, x, y, turned), drawn);
+        ASSERT_EQ(triangle_depth(a, c, b, x, y, behind), drawn);
+        if (!drawn) continue;
+        ASSERT_EQ(turned, z);
+        ASSERT_EQ(behind, z);
+    }
+    EXPECT_GT(within, 10000);
+    EXPECT_GT(in_slack, 5000);
+    EXPECT_GT(outside, 10000);
+}
+
+Corners random_block(Random& random) {
+    std::array<Component, 3> block{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        Component& c = block[k];
+        const std::int64_t at = random.between(-9, 9) * pixel_units;
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            c.f[corner] = at + random.between(-4 * pixel_units, 4 * pixel_units);
+            c.gu[corner] = random.between(-4000, 4000);
+            c.gv[corner] = random.between(-4000, 4000);
+        }
+    }
+    Corners g;
+    expand<std::int32_t, 3>(block, g);
+    return g;
+}
+
+using Visited = std::multiset<std::tuple<int, int, int, int, std::int64_t>>;
+
+// The windows leave out only what no triangle covers: every pixel tried on every triangle.
+TEST(SampleCentres, VisitsEveryPixelThatATriangleCovers) {
+    Random random;
+    hw::MachineSpec spec;
+    spec.xy_bits = 4;
+    std::size_t total = 0;
+    for (int n = 0; n < 100; ++n) {
+        const Corners g = random_block(random);
+        Visited windowed, everywhere;
+        sample_centres(g, spec, [&](const Sample& s) {
+            windowed.insert({s.px, s.py, s.leaf_i, s.leaf_j, s.z});
+        });
+        for (int j = 0; j < leaves; ++j) {
+            for (int i = 0; i < leaves; ++i) {
+                const Corner c00 = corner_at(g, i, j), c10 = corner_at(g, i + 1, j);
+                const Corner c01 = corner_at(g, i, j + 1), c11 = corner_at(g, i + 1, j + 1);
+                for (int pixel = 0; pixel < 256; ++pixel) {
+                    const int px = pixel % 16, py = pixel / 16;
+                    const int x = (2 * px - 15) * 4096, y = (2 * py - 15) * 4096;
+                    std::int64_t z = 0;
+                    if (triangle_depth(c00, c10, c11, x, y, z)) everywhere.insert({px, py, i, j, z});
+                    if (triangle_depth(c00, c11, c01, x, y, z)) everywhere.insert({px, py, i, j, z});
+                }
+            }
+        }
+        ASSERT_EQ(windowed, everywhere) << "block " << n;
+        total += windowed.size();
+    }
+    EXPECT_GT(total, 1000u);
+}
+
+TEST(SampleLeaves, PutsEachLeafsMeanIntoThePixelThatHoldsIt) {
+    Random random;
+    hw::MachineSpec spec;
+    spec.xy_bits = 4;
+    for (int n = 0; n < 100; ++n) {
+        const Corners g = random_block(random);
+        int seen = 0, expected = 0;
+        sample_leaves(g, spec, [&](const Sample& s) {
+            ++seen;
+            std::array<double, 3> mean{};
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto u = static_cast<std::size_t>(s.leaf_i);
+                const auto v = static_cast<std::size_t>(s.leaf_j);
+                mean[c] = (double(g[c][v][u]) + g[c][v][u + 1] + g[c][v + 1][u] +
+                           g[c][v + 1][u + 1]) / 4;
+            }
+            EXPECT_EQ(s.x, std::floor(mean[0] + 0.5));
+            EXPECT_EQ(s.y, std::floor(mean[1] + 0.5));
+            EXPECT_EQ(static_cast<double>(s.z), std::floor(mean[2] + 0.5));
+            EXPECT_EQ(s.px, std::floor(s.x / 8192.0) + 8);
+            EXPECT_EQ(s.py, std::floor(s.y / 8192.0) + 8);
+        });
+        for (std::size_t v = 0; v < leaves; ++v) {
+            for (std::size_t u = 0; u < leaves; ++u) {
+                const auto inside = [&](std::size_t c) {
+                    const std::int64_t sum = std::int64_t{g[c][v][u]} + g[c][v][u + 1] +
+                                             g[c][v + 1][u] + g[c][v + 1][u + 1] + 2;
+                    return sum >= -4 * 8 * pixel_units && sum < 4 * 8 * pixel_units;
+                };
+                expected += inside(0) && inside(1) ? 1 : 0;
+            }
+        }
+        ASSERT_EQ(seen, expected);
+    }
+}
+
+TEST(DepthCode, IsClampedBelowTheBackgroundAndRefusedOutside) {
+    const hw::MachineSpec spec;  // 6 guard bits, code = round(z / 64) + 32768
+    std::uint32_t code = 0;
+    const auto z_of = [](std::int64_t c) { return (c - 32768) * 64; };
+    EXPECT_TRUE(depth_code(z_of(0), spec, code));
+    EXPECT_EQ(code, 0u);
+    EXPECT_TRUE(depth_code(z_of(0) - 32, spec, code)) << "half a quantum rounds up";
+    EXPECT_EQ(code, 0u);
+    EXPECT_FALSE(depth_code(z_of(0) - 33, spec, code)) << "before the near plane";
+    EXPECT_TRUE(depth_code(z_of(65534), spec, code));
+    EXPECT_EQ(code, 65534u);
+    EXPECT_TRUE(depth_code(z_of(65535), spec, code));
+    EXPECT_EQ(code, 65534u) << "the background's code is not drawn";
+    EXPECT_TRUE(depth_code(z_of(65535) + 31, spec, code));
+    EXPECT_FALSE(depth_code(z_of(65535) + 32, spec, code)) << "behind the far plane";
+}
+
+}  // namespace
+}  // namespace umbra78::raster

@@ -1,0 +1,99 @@
+#include "tools/figure_set.hpp"
+
+#include <utility>
+
+namespace umbra78::tools {
+namespace {
+
+using shadow::figure_settings;
+
+Buffer named(Buffer buffer, const char* name) {
+    buffer.name = name;
+    return buffer;
+}
+
+}  // namespace
+
+LoadedScene figures_scene() {
+    LoadedScene scene;
+    scene.name = "figures";
+    scene.materials = {shadow::figure_material};
+    scene.spheres.assign(shadow::figure_spheres.begin(), shadow::figure_spheres.end());
+    const shadow::FigurePatches patches = shadow::figure_patches();
+    scene.patches.assign(patches.begin(), patches.end());
+    scene.observer = shadow::figure_view(0);
+    scene.light = shadow::figure_view(shadow::figure_azimuth_q16);
+    scene.settings = figure_settings(shadow::figure_count);
+    return scene;
+}
+
+FigureSet::FigureSet()
+    : truth_(*trace(scene_)),
+      band_(light_texel_band(truth_)),
+      job_(scene_.view(), figure_settings(3)) {
+    job_.draw_light();
+    job_.draw_observer();
+    visible_ = job_.visible();
+    const StageTimes drawn = job_.times();
+    add(1, "the picture, without shadows", copy(Plane::intensity),
+        job_.buffer(Plane::intensity), job_.cost().observer_cycles,
+        drawn.matrices_ms + drawn.observer_ms);
+    add(2, "the light's depth map", depth_as_gray(job_.buffer(Plane::light_z)),
+        job_.buffer(Plane::light_z), job_.cost().light_cycles, drawn.matrices_ms + drawn.light_ms);
+
+    const auto cost_so_far = [&] { return job_.cost().transform_cycles(); };
+    const auto ms_so_far = [&] { return job_.times().total_ms(); };
+    job_.cast_shadows();
+    mask3_ = copy(Plane::mask);
+    add(3, "the shadow, nearest lookup, little bias", mask3_, mask3(), cost_so_far(), ms_so_far(),
+        mask3_);
+
+    job_.use(figure_settings(4));
+    job_.cast_shadows();
+    add(4, "bilinear lookup, dither, more bias", copy(Plane::mask),
+        named(job_.buffer(Plane::mask), "mask4"), cost_so_far(), ms_so_far(),
+        job_.bytes(Plane::mask));
+
+    // Figures 5 and 6 share figure 4's comparison.
+    job_.use(figure_settings(6));
+    job_.filter_and_composite();
+    add(5, "its edges dequantized, low-passed", copy(Plane::filtered),
+        named(job_.buffer(Plane::filtered), "filtered5"), cost_so_far(), ms_so_far(),
+        job_.bytes(Plane::filtered));
+    add(6, "the shadow on the picture", copy(Plane::picture),
+        named(job_.buffer(Plane::picture), "picture6"), cost_so_far(), ms_so_far(),
+        job_.bytes(Plane::filtered));
+}
+
+void FigureSet::add(int number, std::string shows, std::vector<std::uint8_t> picture,
+                    const Buffer& golden, std::uint64_t cycles, double host_ms,
+                    std::span<const std::uint8_t> mask) {
+    const shadow::Settings settings = figure_settings(number);
+    std::optional<ShadowReport> error;
+    if (!mask.empty())
+        error = report(truth_, {mask, visible_}, widened(band_, truth_, settings));
+    figures_[static_cast<std::size_t>(number - 1)] = {
+        number, std::move(shows), std::move(picture), golden.name,
+        hash_of(golden), cycles, host_ms, bias_report(scene_.light, job_),
+        error, settings};
+}
+
+std::vector<std::uint8_t> FigureSet::copy(Plane plane) const {
+    const auto bytes = job_.bytes(plane);
+    return {bytes.begin(), bytes.end()};
+}
+
+Buffer FigureSet::mask3() const { return {"mask3", size_px(), 255, std::span(mask3_)}; }
+
+std::vector<Buffer> FigureSet::buffers() const {
+    return {job_.buffer(Plane::observer_z),
+            job_.buffer(Plane::light_z),
+            job_.buffer(Plane::intensity),
+            mask3(),
+            named(job_.buffer(Plane::mask), "mask4"),
+            named(job_.buffer(Plane::edges), "edges5"),
+            named(job_.buffer(Plane::filtered), "filtered5"),
+            named(job_.buffer(Plane::picture), "picture6")};
+}
+
+}  // namespace umbra78::tools

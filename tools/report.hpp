@@ -1,0 +1,31 @@
+// The figures of merit of a frame as text and JSON: bias, errors, cycles, times.
+#pragma once
+
+#include "tools/render_job.hpp"
+#include "tools/scene_truth.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+
+namespace umbra78::tools {
+
+// The bias in light-map Z quanta, light-map texels and world units, at the light's target.
+struct BiasReport {
+    double quanta, texels, world;
+};
+BiasReport bias_report(const raster::View& light, const RenderJob&);
+
+std::string print(const BiasReport&);      // "64 quanta = 0.5 texels = 0.00390625 world units"
+std::string percent(std::optional<double> rate);  // "23.87" or "n/a"
+
+nlohmann::ordered_json to_json(const BiasReport&);
+nlohmann::ordered_json to_json(const StageTimes&);
+nlohmann::ordered_json to_json(const MachineCost&);
+nlohmann::ordered_json to_json(const std::optional<ShadowReport>&);  // null for none
+
+// With two blanks of indent and a newline at the end.
+std::string print(const nlohmann::ordered_json&);
+
+}  // namespace umbra78::tools

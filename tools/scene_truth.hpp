@@ -1,0 +1,44 @@
+// A loaded scene's truth, and how far a drawn mask is from it.
+//
+// Spheres and planes have a closed form; a scene with free patches has none, and no errors are
+// given for it.
+#pragma once
+
+#include "tools/metrics.hpp"
+#include "tools/scene_file.hpp"
+
+#include <optional>
+
+namespace umbra78::tools {
+
+struct SceneTruth {
+    TruthScene scene;
+    TruthView observer, light_view;
+    TruthLight light;
+    Truth truth;
+    // Pixels of a plane seen from its unlit side: dark by its shading, whatever the mask says.
+    std::vector<std::uint8_t> unlit_side;
+};
+
+// Traced at the settings' resolution; nothing for a scene with free patches.
+std::optional<SceneTruth> trace(const LoadedScene&);
+
+TruthView truth_view(const raster::View&, int size_px);
+
+// `outside_band` leaves out one light texel mapped back to the observer, and the mask's filter.
+struct ShadowReport {
+    ShadowError all, outside_band;
+    int isolated_pixels = 0;
+    int threshold = 128;
+};
+
+using Band = std::vector<std::uint8_t>;
+Band light_texel_band(const SceneTruth&);            // without a filter's reach
+Band widened(const Band&, const SceneTruth&, const shadow::Settings&);  // with it
+
+// The reach of the mask's filters, for the band: a pixel for each low-pass and one for the edges.
+double filter_radius_px(const shadow::Settings&);
+
+ShadowReport report(const SceneTruth&, const MachineMask&, const Band&);
+
+}  // namespace umbra78::tools
