@@ -48,6 +48,12 @@ FigureSet::FigureSet()
     add(3, "the shadow, nearest lookup, little bias", mask3_, mask3(), cost_so_far(), ms_so_far(),
         mask3_);
 
+    shadow::Settings index = figure_settings(3);
+    index.registration = shadow::Registration::index;
+    job_.use(index);
+    job_.cast_shadows();
+    index_mask_ = copy(Plane::mask);
+
     job_.use(figure_settings(4));
     job_.cast_shadows();
     add(4, "bilinear lookup, dither, more bias", copy(Plane::mask),

@@ -60,6 +60,13 @@ void write_partial(const Path& path, std::span<const std::byte> content) {
 
 }  // namespace
 
+void make_folder(const Path& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (!error && !std::filesystem::is_directory(path)) error.assign(ENOTDIR, std::generic_category());
+    if (error) fail("make the folder", path, error.message(), "name a place that can be written to");
+}
+
 FileSet::~FileSet() {
     for (const Path& path : written_) std::remove(partial_name(path).c_str());
 }

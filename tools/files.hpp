@@ -17,6 +17,9 @@ namespace umbra78::tools {
 
 using Path = std::filesystem::path;
 
+// Makes the folder and those above it where they are missing.
+void make_folder(const Path&);
+
 // Files that appear all together, or not at all if it is destroyed before.
 class FileSet {
 public:

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -171,6 +172,15 @@ RC_GTEST_PROP(DecimalLaws, PrintedWordsComeBack, ()) {
     const auto length = static_cast<std::size_t>(print_decimal(v, f, buffer));
     const std::string_view text(buffer.data(), length);
     RC_ASSERT(parse_decimal(text, f, 64) == (DecimalResult{v, DecimalStatus::ok}));
+}
+
+RC_GTEST_PROP(DecimalLaws, OneDigitTooManyIsRoundedHalfToEven, ()) {
+    const std::int64_t v = *word();
+    const int f = up_to(48);
+    std::array<char, longest_decimal> buffer{};
+    const auto length = static_cast<std::size_t>(print_decimal(v, f + 1, buffer));
+    const std::int64_t even = round_shift(v, 1, Rounding::half_even);
+    RC_ASSERT(parse_decimal({buffer.data(), length}, f, 64).value == even);
 }
 
 RC_GTEST_PROP(DecimalLaws, AnyTextIsANumberOrIsRefused, ()) {

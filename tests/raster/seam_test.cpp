@@ -1,0 +1,143 @@
+// Two planes that share an edge leave no hole along it, at any angle, size and attitude, however
+// each is laid out and however deep its blocks are split; nor is anything drawn outside them.
+#include "tests/fixed/boundary.hpp"
+#include "tests/raster/truth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbra78::raster {
+namespace {
+
+using namespace test;
+using fixed::test::Random;
+using umbra78::test::Patches;
+using umbra78::test::Stage;
+
+struct Place {
+    double x, y;  // pixels from the frame's centre
+};
+
+// How far p lies to the left of the line from a to b, in pixels.
+double left_of(const Place& a, const Place& b, const Place& p) {
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    return (dx * (p.y - a.y) - dy * (p.x - a.x)) / std::hypot(dx, dy);
+}
+
+// A wing: shared edge from corner 0 to corner 1, then round. `side` is +1 if it lies to the left.
+struct Wing {
+    std::array<Place, 4> corner;
+    double side;
+    double within(std::size_t edge, const Place& p) const {
+        return side * left_of(corner[edge], corner[(edge + 1) % 4], p);
+    }
+    double within_outer(const Place& p) const {
+        return std::min({within(1, p), within(2, p), within(3, p)});
+    }
+};
+
+struct Fold {
+    std::array<Vector3, 4> vectors;  // a corner, the shared edge, and the two wings
+    std::array<Wing, 2> wing;
+};
+
+// The coverage to which outlines are known, and what the slack adds outside.
+constexpr double margin = 0.1;
+
+Place project(const Camera& c, const Vector3& p) {
+    const Vector3 from = along(p, -1, c.is_perspective() ? c.eye() : c.target);
+    const double scale =
+        c.half_px / c.extent *
+        (c.is_perspective() ? c.distance / -dot3(c.back, from) : 1.0);
+    return {dot3(c.right, from) * scale, -dot3(c.up, from) * scale};
+}
+
+// A random fold whose wings lie on opposite sides of the shared edge and are not edge-on.
+Fold random_fold(Random& random, const Camera& camera) {
+    const auto draw = [&](double reach) {
+        return reach * (static_cast<double>(random.bits() >> 40) / (1 << 23) - 1);
+    };
+    const auto vector = [&](double reach) {
+        return Vector3{draw(reach), draw(reach), draw(reach)};
+    };
+    while (true) {
+        Fold f{{vector(0.7), vector(1.2), vector(1.2), vector(1.2)}, {}};
+        const auto& [o, u, a, b] = f.vectors;
+        bool usable = true;
+        for (std::size_t w = 0; w < 2; ++w) {
+            const Vector3& v = w == 0 ? a : b;
+            const std::array<Vector3, 4> world{o, along(o, 1, u), along(along(o, 1, u), 1, v),
+                                               along(o, 1, v)};
+            for (std::size_t k = 0; k < 4; ++k) f.wing[w].corner[k] = project(camera, world[k]);
+            const auto& c = f.wing[w].corner;
+            f.wing[w].side = left_of(c[0], c[1], c[2]) > 0 ? 1 : -1;
+            for (std::size_t k = 0; k < 4; ++k)
+                usable = usable && f.wing[w].within(k, c[(k + 2) % 4]) > 4 &&
+                         std::hypot(c[k].x - c[(k + 1) % 4].x, c[k].y - c[(k + 1) % 4].y) > 4;
+        }
+        if (usable && f.wing[0].side != f.wing[1].side) return f;
+    }
+}
+
+// The parallelogram o, u, v laid out from any of its corners, either way round.
+Patch laid_out(Random& random, Vector3 o, Vector3 u, Vector3 v) {
+    for (Vector3* edge : {&u, &v}) {
+        if (random.bits() % 2 == 0) continue;
+        o = along(o, 1, *edge);
+        *edge = along({}, -1, *edge);
+    }
+    if (random.bits() % 2 == 0) std::swap(u, v);
+    return plane_patch(umbra78::test::plane(o, u, v));
+}
+
+void expect_no_hole(const Fold& fold, const Stage<>& stage, int number, std::int64_t& pixels) {
+    for (int py = 0; py < 512; ++py) {
+        for (int px = 0; px < 512; ++px) {
+            const Place p{px - 255.5, py - 255.5};
+            bool must = false, may = false;
+            for (const Wing& w : fold.wing) {
+                const double outer = w.within_outer(p), shared = w.within(0, p);
+                must = must || (outer > margin && shared >= 0);
+                may = may || (outer > -margin && shared >= -margin);
+            }
+            pixels += must ? 1 : 0;
+            const bool drawn = stage.drawn(px, py);
+            if ((!must || drawn) && (may || !drawn)) continue;
+            ADD_FAILURE() << "fold " << number << ": pixel " << px << ", " << py
+                          << (drawn ? " is drawn outside" : " is a hole") << ", "
+                          << fold.wing[0].within(0, p) << " px from the shared edge";
+            return;
+        }
+    }
+}
+
+void fold_planes(const MachineSpec& spec, const View& view) {
+    Random random;
+    const Camera camera(view, spec);
+    Stage<> stage(spec);
+    std::int64_t pixels = 0;
+    for (int n = 0; n < 300 && !testing::Test::HasFailure(); ++n) {
+        const Fold fold = random_fold(random, camera);
+        const auto& [o, u, a, b] = fold.vectors;
+        const Patches patches{laid_out(random, o, u, a), laid_out(random, o, u, b)};
+        stage.clear();
+        EXPECT_EQ(stage.draw(patches, view, Sampling::centre).unresolved, 0u);
+        expect_no_hole(fold, stage, n, pixels);
+    }
+    EXPECT_GT(pixels, 1'000'000);
+}
+
+TEST(Seam, OfTwoPlanesHasNoHole) {
+    fold_planes({}, umbra78::test::orthographic(33, 21, 2));
+}
+
+TEST(Seam, OfTwoPlanesInPerspectiveHasNoHole) {
+    MachineSpec spec;
+    spec.coefficient_bits = 24;
+    fold_planes(spec, umbra78::test::perspective(33, 21, 2, 6, 1, 12));
+}
+
+}  // namespace
+}  // namespace umbra78::raster

@@ -1,0 +1,172 @@
+// umbra78 figures: figures 1 to 6, their errors and their cost, held to the goldens.
+#include "tools/commands.hpp"
+#include "tools/figure_studies.hpp"
+#include "tools/goldens.hpp"
+#include "tools/settings_text.hpp"
+#include "tools/sheet.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <memory>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string out = "out", goldens = UMBRA78_SOURCE_DIR "/tests/goldens";
+    bool check = false, bless = false, json = false;
+};
+
+std::string picture_name(const Figure& figure) { return fmt::format("fig{}.png", figure.number); }
+
+// "ok", "DIFFERS", or "none" where there is no golden.
+const char* golden_status(const Hashes& hashes, const Figure& figure) {
+    const auto found = hashes.find(figure.golden);
+    if (found == hashes.end()) return "none";
+    return found->second == figure.hash ? "ok" : "DIFFERS";
+}
+
+using Rate = std::optional<double>;
+Rate false_shadow(const Figure& f) {
+    return f.error ? Rate(f.error->all.false_shadow_rate()) : Rate();
+}
+Rate false_light(const Figure& f) {
+    return f.error ? Rate(f.error->all.false_light_rate()) : Rate();
+}
+
+void write_contact_sheet(const Path& path, const FigureSet& set, FileSet& files) {
+    std::vector<SheetCell> cells;
+    for (const Figure& f : set.figures()) {
+        std::string numbers = fmt::format("{:.1f} ms", f.host_ms);
+        if (f.error)
+            numbers += fmt::format(", false shadow {} %, false light {} %",
+                                   percent(false_shadow(f)), percent(false_light(f)));
+        cells.push_back({set.size_px(), set.size_px(), f.picture,
+                         {fmt::format("Fig. {}: {}", f.number, f.shows), numbers}});
+    }
+    write_sheet(path, cells, {.columns = 3}, &files);
+}
+
+ordered_json to_json(const FigureSet& set, const Hashes& hashes, double total_ms) {
+    ordered_json json{{"size_px", set.size_px()}, {"cycle_ns", cycle_ns}};
+    for (const Figure& f : set.figures()) {
+        json["figures"].push_back({{"figure", f.number},
+                                   {"shows", f.shows},
+                                   {"file", picture_name(f)},
+                                   {"buffer", f.golden},
+                                   {"hash", f.hash},
+                                   {"golden", golden_status(hashes, f)},
+                                   {"transform_cycles", f.transform_cycles},
+                                   {"simulated_ms", simulated_ms(f.transform_cycles)},
+                                   {"host_ms", f.host_ms},
+                                   {"bias", to_json(f.bias)},
+                                   {"error", to_json(f.error)},
+                                   {"settings", settings_json(f.settings)}});
+    }
+    for (const Buffer& buffer : set.buffers()) json["hashes"][buffer.name] = hash_of(buffer);
+    json["total_host_ms"] = total_ms;
+    return json;
+}
+
+void print_rows(const FigureSet& set, const Hashes& hashes) {
+    fmt::print("{:<4}{:<40}{:<39}{:<8}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "fig", "shows", "hash",
+               "golden", "cycles", "sim ms", "host ms", "FS %", "FL %");
+    for (const Figure& f : set.figures())
+        fmt::print("{:<4}{:<40}{:<39}{:<8}{:>9}{:>8.1f}{:>9.1f}{:>8}{:>8}\n", f.number, f.shows,
+                   f.hash, golden_status(hashes, f), f.transform_cycles,
+                   simulated_ms(f.transform_cycles), f.host_ms, percent(false_shadow(f)),
+                   percent(false_light(f)));
+    fmt::print("\ncycles: of the transform unit, from scene to figure, at {} ns each; host ms: the "
+               "same way here.\nFS, FL: false shadow of the pixels lit in truth, false light of "
+               "those in shadow; mask >= 128 is shadow.\n", cycle_ns);
+    for (const Figure& f : set.figures()) {
+        if (!f.error || f.number == 6) continue;  // figure 6 is figure 5's mask
+        fmt::print("Fig. {}: bias {}; outside one light texel of the edge FS {} %, FL {} %; "
+                   "{} isolated pixels\n", f.number, print(f.bias),
+                   percent(f.error->outside_band.false_shadow_rate()),
+                   percent(f.error->outside_band.false_light_rate()), f.error->isolated_pixels);
+    }
+}
+
+// Prints what differs and writes a picture of it; true if nothing does.
+bool check_goldens(const Options& options, const FigureSet& set) {
+    const auto buffers = set.buffers();
+    bool all_right = true;
+    for (const GoldenCheck& result : check(options.goldens, buffers)) {
+        if (result.problem.empty()) continue;
+        all_right = false;
+        std::string see;
+        if (!result.picture.empty()) {
+            const Path picture = Path(options.out) / fmt::format("diff_{}.png", result.buffer);
+            write_png_rgb(picture, set.size_px(), set.size_px(), result.picture);
+            see = fmt::format("; see {}", picture.string());
+        }
+        fmt::print(stderr, "umbra78: {} is not its golden: {}{}\n", result.buffer,
+                   result.problem, see);
+    }
+    return all_right;
+}
+
+void run(const Options& options, int& exit_code) {
+    const auto start = std::chrono::steady_clock::now();
+    const Path out = options.out;
+    make_folder(out);
+    const FigureSet set;
+    FileSet files;
+    if (options.bless) {
+        make_folder(options.goldens);
+        bless(options.goldens, set.buffers(), files);
+    }
+    for (const Figure& f : set.figures())
+        write_png_gray(out / picture_name(f), set.size_px(), set.size_px(), f.picture, &files);
+    write_contact_sheet(out / "sheet.png", set, files);
+    write_highlights(out / "highlights.png", &files);
+    write_samplings(out / "samplings.png", set, &files);
+
+    const bool right = !options.check || check_goldens(options, set);
+    exit_code = right ? 0 : 1;
+    Hashes hashes = read_hashes(options.goldens);
+    if (options.bless)
+        for (const Buffer& buffer : set.buffers()) hashes[buffer.name] = hash_of(buffer);
+    const std::chrono::duration<double, std::milli> total =
+        std::chrono::steady_clock::now() - start;
+    const std::string json = print(to_json(set, hashes, total.count()));
+    write_file(out / "figures.json", std::as_bytes(std::span(json)), &files);
+    files.commit();
+
+    if (options.json) {
+        fmt::print("{}", json);
+        return;
+    }
+    print_rows(set, hashes);
+    if (options.bless) fmt::print("Goldens written to {}.\n", options.goldens);
+    if (options.check && right) fmt::print("All buffers are their goldens in {}.\n",
+                                           options.goldens);
+    fmt::print("{}: fig1.png .. fig6.png, sheet.png, highlights.png, samplings.png, figures.json; "
+               "{:.0f} ms in all.\n", out.string(), total.count());
+}
+
+}  // namespace
+
+void add_figures_command(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("figures", "Draw figures 1 to 6 of Williams 1978");
+    command->add_option("--out", options->out, "Folder for the pictures")->capture_default_str();
+    command->add_option("--goldens", options->goldens, "Folder of the goldens")
+        ->capture_default_str();
+    auto* check = command->add_flag("--check", options->check,
+                                    "Compare every stage's buffer with its golden; exit 1 if one "
+                                    "differs");
+    command->add_flag("--bless", options->bless, "Make what was drawn the goldens")
+        ->excludes(check);
+    command->add_flag("--json", options->json, "Print figures.json instead of the table");
+    command->footer("Example:\n  umbra78 figures --out out --check");
+    command->callback([options, &exit_code] { run(*options, exit_code); });
+}
+
+}  // namespace umbra78::tools
