@@ -20,19 +20,25 @@ struct Place {
     double x, y;  // pixels from the frame's centre
 };
 
-// How far p lies to the left of the line from a to b, in pixels.
-double left_of(const Place& a, const Place& b, const Place& p) {
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    return (dx * (p.y - a.y) - dy * (p.x - a.x)) / std::hypot(dx, dy);
-}
+// The directed line from a to b; `left` is how far p lies to its left, in pixels.
+struct Line {
+    double nx = 0, ny = 0, offset = 0;
+    Line() = default;
+    Line(const Place& a, const Place& b) {
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        nx = (a.y - b.y) / length;
+        ny = (b.x - a.x) / length;
+        offset = nx * a.x + ny * a.y;
+    }
+    double left(const Place& p) const { return nx * p.x + ny * p.y - offset; }
+};
 
 // A wing: shared edge from corner 0 to corner 1, then round. `side` is +1 if it lies to the left.
 struct Wing {
     std::array<Place, 4> corner;
+    std::array<Line, 4> edge;
     double side;
-    double within(std::size_t edge, const Place& p) const {
-        return side * left_of(corner[edge], corner[(edge + 1) % 4], p);
-    }
+    double within(std::size_t k, const Place& p) const { return side * edge[k].left(p); }
     double within_outer(const Place& p) const {
         return std::min({within(1, p), within(2, p), within(3, p)});
     }
@@ -43,7 +49,7 @@ struct Fold {
     std::array<Wing, 2> wing;
 };
 
-// The coverage to which outlines are known, and what the slack adds outside.
+// How well outlines are known, in pixels, with what the slack adds outside.
 constexpr double margin = 0.1;
 
 Place project(const Camera& c, const Vector3& p) {
@@ -63,7 +69,7 @@ Fold random_fold(Random& random, const Camera& camera) {
         return Vector3{draw(reach), draw(reach), draw(reach)};
     };
     while (true) {
-        Fold f{{vector(0.7), vector(1.2), vector(1.2), vector(1.2)}, {}};
+        Fold f{{vector(0.6), vector(0.9), vector(0.9), vector(0.9)}, {}};
         const auto& [o, u, a, b] = f.vectors;
         bool usable = true;
         for (std::size_t w = 0; w < 2; ++w) {
@@ -72,7 +78,8 @@ Fold random_fold(Random& random, const Camera& camera) {
                                                along(o, 1, v)};
             for (std::size_t k = 0; k < 4; ++k) f.wing[w].corner[k] = project(camera, world[k]);
             const auto& c = f.wing[w].corner;
-            f.wing[w].side = left_of(c[0], c[1], c[2]) > 0 ? 1 : -1;
+            for (std::size_t k = 0; k < 4; ++k) f.wing[w].edge[k] = Line(c[k], c[(k + 1) % 4]);
+            f.wing[w].side = f.wing[w].edge[0].left(c[2]) > 0 ? 1 : -1;
             for (std::size_t k = 0; k < 4; ++k)
                 usable = usable && f.wing[w].within(k, c[(k + 2) % 4]) > 4 &&
                          std::hypot(c[k].x - c[(k + 1) % 4].x, c[k].y - c[(k + 1) % 4].y) > 4;
@@ -118,7 +125,7 @@ void fold_planes(const MachineSpec& spec, const View& view) {
     const Camera camera(view, spec);
     Stage<> stage(spec);
     std::int64_t pixels = 0;
-    for (int n = 0; n < 300 && !testing::Test::HasFailure(); ++n) {
+    for (int n = 0; n < 200 && !testing::Test::HasFailure(); ++n) {
         const Fold fold = random_fold(random, camera);
         const auto& [o, u, a, b] = fold.vectors;
         const Patches patches{laid_out(random, o, u, a), laid_out(random, o, u, b)};
@@ -126,11 +133,14 @@ void fold_planes(const MachineSpec& spec, const View& view) {
         EXPECT_EQ(stage.draw(patches, view, Sampling::centre).unresolved, 0u);
         expect_no_hole(fold, stage, n, pixels);
     }
-    EXPECT_GT(pixels, 1'000'000);
+    EXPECT_GT(pixels, 500'000);
 }
 
 TEST(Seam, OfTwoPlanesHasNoHole) {
-    fold_planes({}, umbra78::test::orthographic(33, 21, 2));
+    View view = umbra78::test::orthographic(33, 21, 2);
+    view.near_depth *= 4;  // all of any fold
+    view.far_depth *= 4;
+    fold_planes({}, view);
 }
 
 TEST(Seam, OfTwoPlanesInPerspectiveHasNoHole) {

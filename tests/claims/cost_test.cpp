@@ -1,0 +1,157 @@
+// The post-process's cost depends on what is seen, not on what is drawn: ten times as many patches
+// change neither its points nor its cycles, while drawing them grows.
+#include "tests/claims/ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace umbra78::claims {
+namespace {
+
+using raster::Patch;
+using raster::World;
+using shadow::figure_settings;
+using shadow::PostProcessCycles;
+
+using Patches = std::vector<Patch>;
+
+struct Cost {
+    shadow::FrameCounts counts;
+    PostProcessCycles cycles;
+    std::vector<std::uint8_t> mask;
+};
+
+Cost draw(const std::string& what, const Patches& patches) {
+    shadow::Scene scene = figures().scene();
+    scene.patches = patches;
+    const Settings s = figure_settings(4);
+    const shadow::test::Frame<> frame(scene, s);
+    EXPECT_EQ(frame.status, shadow::FrameStatus::ok);
+    const Cost cost{frame.counts,
+                    post_process_cycles(frame.counts.post_process.visible, s,
+                                        frame.matrices.observer_to_light.affine),
+                    {frame.buffers.mask.begin(), frame.buffers.mask.end()}};
+    const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    std::printf("%-28s %5llu patches, %7llu blocks and %8llu samples drawn in both views; "
+                "post-process: %llu pixels, %llu cycles (transform %llu)\n",
+                what.c_str(), number(cost.counts.observer.patches),
+                number(cost.counts.observer.blocks + cost.counts.light.blocks),
+                number(cost.counts.observer.samples + cost.counts.light.samples),
+                number(cost.counts.post_process.visible), number(cost.cycles.overlapped()),
+                number(cost.cycles.transform));
+    return cost;
+}
+
+void expect_equal_cost(const Cost& a, const Cost& b) {
+    EXPECT_EQ(a.counts.post_process.visible, b.counts.post_process.visible);
+    EXPECT_EQ(a.cycles.read, b.cycles.read);
+    EXPECT_EQ(a.cycles.transform, b.cycles.transform);
+    EXPECT_EQ(a.cycles.divide, b.cycles.divide);
+    EXPECT_EQ(a.cycles.lookup, b.cycles.lookup);
+    EXPECT_EQ(a.cycles.write, b.cycles.write);
+}
+
+Patches once() { return {figures().patches.begin(), figures().patches.end()}; }
+
+// Every patch ten times in the same place: all drawn, none seen but the first.
+TEST(Cost, TenCoincidentPatchesForOne) {
+    Patches ten;
+    for (const Patch& p : once()) ten.insert(ten.end(), 10, p);
+    const Cost a = draw("figures", once()), b = draw("each patch ten times", ten);
+    expect_equal_cost(a, b);
+    EXPECT_EQ(a.mask, b.mask);
+    EXPECT_GE(b.counts.observer.patches, 10 * a.counts.observer.patches);
+    EXPECT_GT(b.counts.observer.samples + b.counts.light.samples,
+              5 * (a.counts.observer.samples + a.counts.light.samples));
+}
+
+// Nine smaller spheres within each: drawn or left out, but never seen.
+TEST(Cost, TenSpheresOneInAnother) {
+    Patches ten;
+    for (int shell = 9; shell >= 0; --shell)  // the outermost last, so that order is no help
+        for (raster::Sphere sphere : shadow::figure_spheres) {
+            sphere.radius -= shell * 4096;
+            std::array<Patch, raster::patches_per_sphere> of_sphere;
+            raster::sphere_patches(sphere, of_sphere);
+            ten.insert(ten.end(), of_sphere.begin(), of_sphere.end());
+        }
+    const Cost a = draw("figures", once()), b = draw("nine spheres in each", ten);
+    expect_equal_cost(a, b);
+    EXPECT_EQ(a.mask, b.mask);
+    EXPECT_EQ(b.counts.observer.patches, 10 * a.counts.observer.patches);
+    EXPECT_GT(b.counts.observer.blocks + b.counts.light.blocks,
+              a.counts.observer.blocks + a.counts.light.blocks);
+}
+
+// --- the same surface in sixteen times as many patches ------------------------------------------
+
+using Points = std::array<std::array<std::int64_t, 3>, 4>;  // of a curve, Q.28
+
+// De Casteljau at one half, twice: the quarter k of a curve. Twelve further bits keep it exact in
+// both directions.
+Points quarter(Points p, int k) {
+    for (const int half : {k / 2, k % 2}) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::int64_t a = p[0][c], b = p[1][c], d = p[2][c], e = p[3][c];
+            const std::int64_t ab = (a + b) / 2, bd = (b + d) / 2, de = (d + e) / 2;
+            const std::int64_t left = (ab + bd) / 2, right = (bd + de) / 2;
+            const std::int64_t middle = (left + right) / 2;
+            const std::array<std::int64_t, 4> kept =
+                half == 0 ? std::array{a, ab, left, middle} : std::array{middle, right, de, e};
+            for (std::size_t i = 0; i < 4; ++i) p[i][c] = kept[i];
+        }
+    }
+    return p;
+}
+
+Patch sixteenth(const Patch& patch, int ku, int kv) {
+    std::array<std::array<std::int64_t, 3>, 16> p{};
+    for (std::size_t n = 0; n < 16; ++n) {
+        const World& w = patch.control[n];
+        p[n] = {std::int64_t{w.x} << 12, std::int64_t{w.y} << 12, std::int64_t{w.z} << 12};
+    }
+    const auto along = [&](std::size_t first, std::size_t step, int k) {
+        const Points q = quarter(
+            {p[first], p[first + step], p[first + 2 * step], p[first + 3 * step]}, k);
+        for (std::size_t i = 0; i < 4; ++i) p[first + i * step] = q[i];
+    };
+    for (std::size_t j = 0; j < 4; ++j) along(4 * j, 1, ku);
+    for (std::size_t i = 0; i < 4; ++i) along(i, 4, kv);
+    Patch out = patch;
+    const auto word = [](std::int64_t q28) {
+        return static_cast<std::int32_t>(fixed::round_shift(q28, 12, fixed::Rounding::half_even));
+    };
+    for (std::size_t n = 0; n < 16; ++n) out.control[n] = {word(p[n][0]), word(p[n][1]), word(p[n][2])};
+    return out;
+}
+
+// The parts' control points are rounded to words again, so a Z here and there moves by a quantum;
+// what is seen stays the same.
+TEST(Cost, SixteenPartsForEachPatch) {
+    Patches parts;
+    for (const Patch& p : once())
+        for (int k = 0; k < 16; ++k) parts.push_back(sixteenth(p, k % 4, k / 4));
+    const Cost a = draw("figures", once()), b = draw("each patch in 16 parts", parts);
+    EXPECT_EQ(b.counts.observer.patches, 16 * a.counts.observer.patches);
+    expect_equal_cost(a, b);
+    std::size_t differing = 0;
+    for (std::size_t k = 0; k < a.mask.size(); ++k) differing += a.mask[k] != b.mask[k];
+    std::printf("pixels of the mask that differ: %zu\n", differing);
+    EXPECT_LT(differing, a.counts.post_process.visible / 100);
+}
+
+// Fewer pixels seen cost less: the cost is a count, not a constant.
+TEST(Cost, OfOneSphereIsLess) {
+    Patches one = once();
+    one.resize(raster::patches_per_sphere);
+    const Cost a = draw("figures", once()), b = draw("one sphere", one);
+    EXPECT_LT(3 * b.cycles.transform, a.cycles.transform);
+    EXPECT_LT(3 * b.counts.post_process.visible, a.counts.post_process.visible);
+}
+
+}  // namespace
+}  // namespace umbra78::claims

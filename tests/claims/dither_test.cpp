@@ -1,0 +1,187 @@
+// Figure 4's noise: the words themselves, their mean and variance, and the controls that a
+// spectrum of the mask cannot tell.
+//
+// A word is the centred sum of k bytes, scaled to one texel peak to peak, in 128ths. Its variance
+// is that of k uniforms, (k (2^16 - 1) / 12) (2 A / 2^16)^2, and 1/12 for the rounding to words:
+// about 128^2 / (12 k). With k = 12 the deviation is 1/12 texel, 10.7 words.
+#include "tests/claims/ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace umbra78::claims {
+namespace {
+
+using hw::DitherShape;
+using hw::DitherWords;
+
+struct Moments {
+    double mean = 0, variance = 0;
+    int least = 0, greatest = 0;
+};
+
+template <class Word>
+Moments moments(const std::vector<DitherWords>& plane, Word&& word) {
+    Moments m;
+    double sum = 0, squares = 0;
+    for (const DitherWords& w : plane) {
+        const int v = word(w);
+        sum += v;
+        squares += double{1} * v * v;
+        m.least = std::min(m.least, v);
+        m.greatest = std::max(m.greatest, v);
+    }
+    const auto n = static_cast<double>(plane.size());
+    m.mean = sum / n;
+    m.variance = squares / n - m.mean * m.mean;
+    return m;
+}
+
+// The correlation of a frame's words with those dx, dy pixels on, or of X with Y.
+template <class A, class B>
+double correlation(const std::vector<DitherWords>& plane, int dx, int dy, A&& a, B&& b) {
+    double ab = 0, aa = 0, bb = 0;
+    for (int y = 0; y + dy < 512; ++y)
+        for (int x = 0; x + dx < 512; ++x) {
+            const double u = a(plane[static_cast<std::size_t>(512 * y + x)]);
+            const double v = b(plane[static_cast<std::size_t>(512 * (y + dy) + x + dx)]);
+            ab += u * v;
+            aa += u * u;
+            bb += v * v;
+        }
+    return ab / std::sqrt(aa * bb);
+}
+
+constexpr auto x_word = [](const DitherWords& w) { return w.x; };
+constexpr auto y_word = [](const DitherWords& w) { return w.y; };
+
+constexpr double texel_words = 128;
+double stated_variance(int k) { return texel_words * texel_words / (12 * k); }
+
+TEST(Dither, FirstWordsOfFigure4) {
+    const auto plane = noise_plane(DitherShape::normal);
+    constexpr std::array<std::array<int, 2>, 8> first{
+        {{-13, 25}, {-21, 0}, {4, 2}, {-2, -1}, {6, -25}, {-20, -8}, {10, 0}, {-16, -1}}};
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        EXPECT_EQ(plane[k].x, first[k][0]) << k;
+        EXPECT_EQ(plane[k].y, first[k][1]) << k;
+    }
+}
+
+TEST(Dither, HasTheStatedMeanAndVariance) {
+    for (const auto& [shape, text] :
+         {std::pair{DitherShape::uniform, "uniform"}, {DitherShape::triangular, "triangular"},
+          {DitherShape::normal4, "normal4"}, {DitherShape::normal, "normal"}}) {
+        const int k = hw::uniforms(shape);
+        const auto plane = noise_plane(shape);
+        const Moments x = moments(plane, x_word), y = moments(plane, y_word);
+        std::printf("%-10s mean %+.3f %+.3f words, variance %.2f %.2f (stated %.2f), deviation "
+                    "%.4f texel, from %d to %d\n",
+                    text, x.mean, y.mean, x.variance, y.variance, stated_variance(k),
+                    std::sqrt(x.variance) / texel_words, x.least, x.greatest);
+        for (const Moments& m : {x, y}) {
+            // Five standard errors, and what the last byte's width and the rounding can add.
+            const double sigma = std::sqrt(stated_variance(k)) / 512;
+            EXPECT_NEAR(m.mean, 0, 5 * sigma + 0.01) << text;
+            EXPECT_NEAR(m.variance / stated_variance(k), 1, 0.015) << text;
+            EXPECT_GE(m.least, -64) << text;
+            EXPECT_LE(m.greatest, 64) << text;
+        }
+    }
+}
+
+// The exact distribution by convolution, word by word: figure 4's noise over a frame's 2 x 2^18
+// words, by chi squared over the words that are expected 20 times and more.
+TEST(Dither, HasTheExactDistribution) {
+    constexpr int k = 12;
+    const auto counts = fixed::sum_counts<k>();
+    const std::int32_t amplitude = fixed::dither_amplitude(k, 256, 7);
+    std::array<double, 129> probability{};
+    double mean = 0, square = 0;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+        const auto high = static_cast<double>((counts[s] >> 48).to_int64());  // of 2^96
+        const double p = std::ldexp(high, 48 - 96);
+        const int word = fixed::dither_word(static_cast<int>(s), k, amplitude);
+        probability[static_cast<std::size_t>(word + 64)] += p;
+        mean += p * word;
+        square += p * word * word;
+    }
+    std::printf("exact: mean %.5f words, variance %.4f\n", mean, square - mean * mean);
+    EXPECT_NEAR(mean, 0, 0.001);
+    EXPECT_NEAR(square / stated_variance(k), 1, 0.002);
+
+    std::array<double, 129> seen{};
+    const auto plane = noise_plane(DitherShape::normal);
+    for (const DitherWords& w : plane)
+        for (const int v : {w.x, w.y}) seen[static_cast<std::size_t>(v + 64)] += 1;
+    double chi_squared = 0;
+    int cells = 0;
+    for (std::size_t c = 0; c < seen.size(); ++c) {
+        const double expected = probability[c] * 2 * static_cast<double>(plane.size());
+        if (expected < 20) continue;
+        ++cells;
+        chi_squared += (seen[c] - expected) * (seen[c] - expected) / expected;
+    }
+    std::printf("chi squared %.1f over %d words\n", chi_squared, cells);
+    EXPECT_GT(cells, 60);
+    EXPECT_LT(chi_squared, cells + 4 * std::sqrt(2.0 * cells));
+    EXPECT_GT(chi_squared, cells - 4 * std::sqrt(2.0 * cells));
+}
+
+// X and Y, and neighbouring pixels, have nothing to do with each other.
+TEST(Dither, WordsAreUncorrelated) {
+    const double limit = 5.0 / 512;  // five standard errors over a frame
+    for (const DitherShape shape : {DitherShape::uniform, DitherShape::triangular,
+                                    DitherShape::normal4, DitherShape::normal}) {
+        const auto plane = noise_plane(shape);
+        EXPECT_NEAR(correlation(plane, 0, 0, x_word, y_word), 0, limit);
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}}) {
+            EXPECT_NEAR(correlation(plane, dx, dy, x_word, x_word), 0, limit) << dx << dy;
+            EXPECT_NEAR(correlation(plane, dx, dy, y_word, y_word), 0, limit) << dx << dy;
+            EXPECT_NEAR(correlation(plane, dx, dy, x_word, y_word), 0, limit) << dx << dy;
+        }
+    }
+}
+
+// --- negative controls --------------------------------------------------------------------------
+
+TEST(DitherControls, OneUniformForBothAxesIsWhollyCorrelated) {
+    auto plane = noise_plane(DitherShape::normal);
+    const double sound = correlation(plane, 0, 0, x_word, y_word);
+    for (DitherWords& w : plane) w.y = w.x;
+    const double shared = correlation(plane, 0, 0, x_word, y_word);
+    std::printf("correlation of X and Y: %+.4f, from one uniform %.4f\n", sound, shared);
+    EXPECT_GT(shared, 0.99);
+}
+
+// Triangular dither is the sum of two uniforms; of one uniform taken twice it is a uniform again,
+// with twice the variance.
+TEST(DitherControls, TriangularOfOneSharedUniformHasTwiceTheVariance) {
+    const double sound = moments(noise_plane(DitherShape::triangular), x_word).variance;
+    const double shared = moments(noise_plane(DitherShape::uniform), x_word).variance;
+    std::printf("variance of triangular dither %.1f (stated %.1f), of one shared uniform %.1f\n",
+                sound, stated_variance(2), shared);
+    EXPECT_NEAR(sound / stated_variance(2), 1, 0.015);
+    EXPECT_NEAR(shared / stated_variance(2), 2, 0.03);
+}
+
+TEST(DitherControls, AQuarterTexelHasASixteenthOfTheVariance) {
+    const double whole = moments(noise_plane(DitherShape::normal), x_word).variance;
+    const double quarter = moments(noise_plane(DitherShape::normal, 64), x_word).variance;
+    std::printf("variance of the normal dither %.2f, of a quarter texel's %.2f\n", whole, quarter);
+    EXPECT_NEAR(quarter * 16 / whole, 1, 0.03);
+    EXPECT_GT(std::abs(quarter / stated_variance(12) - 1), 0.5) << "so the test above fails it";
+}
+
+TEST(DitherControls, ARestartedGeneratorIsCorrelatedDownTheColumns) {
+    auto plane = noise_plane(DitherShape::normal);
+    for (std::size_t k = 512; k < plane.size(); ++k) plane[k] = plane[k % 512];
+    EXPECT_GT(correlation(plane, 0, 1, x_word, x_word), 0.99);
+}
+
+}  // namespace
+}  // namespace umbra78::claims
