@@ -1,0 +1,179 @@
+// Shading against its formula in double precision: Lambert's cosine, Phong's highlight, two sides,
+// the poles of a sphere, light from a point.
+#include "tests/raster/truth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbra78::raster {
+namespace {
+
+using namespace test;
+using umbra78::test::orthographic;
+using umbra78::test::Patches;
+using umbra78::test::perspective;
+using umbra78::test::plane;
+using umbra78::test::q16;
+using umbra78::test::Stage;
+
+double level_of(const Material& m, double ambient, double nl, double nv, double lv) {
+    if (nv < 0) {
+        nl = -nl;
+        nv = -nv;
+    }
+    double level = m.diffuse * (ambient + (1 - ambient) * std::max(0.0, nl));
+    if (nl > 0)
+        level += m.specular * std::pow(std::clamp(2 * nl * nv - lv, 0.0, 1.0), 1 << m.shininess);
+    return std::min(level, 255.0);
+}
+
+double level_of(const Material& m, double ambient, const Vector3& n, const Vector3& l,
+                const Vector3& v) {
+    return level_of(m, ambient, dot3(n, l), dot3(n, v), dot3(l, v));
+}
+
+// One flat block with the tangents u and v, in object words of 14 bits and 6 guard bits.
+std::array<Component, 3> flat(const Vector3& u, const Vector3& v) {
+    std::array<Component, 3> world{};
+    const auto word = [](double d) { return static_cast<std::int64_t>(std::lround(d * (1 << 20))); };
+    for (std::size_t k = 0; k < 3; ++k) {
+        world[k].f = {0, word(u[k]), word(v[k]), word(u[k] + v[k])};
+    }
+    return world;
+}
+
+Unit q14(const Vector3& v) {
+    Unit u{};
+    for (std::size_t k = 0; k < 3; ++k)
+        u[k] = static_cast<std::int32_t>(std::lround(v[k] * (1 << 14)));
+    return u;
+}
+
+TEST(Shading, IsLambertsCosineOnBothSides) {
+    const Material matt{200, 0, 0};
+    for (int degrees = 0; degrees < 360; degrees += 5) {
+        const double angle = degrees * 3.14159265358979 / 180;
+        const Vector3 u{std::cos(angle), std::sin(angle), 0}, v{0, 0, 1};
+        const Vector3 normal{std::sin(angle), -std::cos(angle), 0};  // u x v
+        const Vector3 light = unit3({0.6, 0.7, 0.2}), viewer = unit3({0.5, 0.1, -1});
+        const ShadingSpec spec{77, {false, q14(light), {}}, {false, q14(viewer), {}}};
+        const double expected = level_of(matt, 77 / 256.0, normal, light, viewer);
+        const int front = BlockShading(flat(u, v), spec, matt).level(3, 9, false);
+        EXPECT_NEAR(front, expected, 0.6) << degrees;
+        EXPECT_EQ(BlockShading(flat(v, u), spec, matt).level(3, 9, false), front)
+            << "turned over, " << degrees << " degrees";
+        EXPECT_EQ(BlockShading(flat(u, v), spec, matt).level(3, 9, true), (200 * 77 + 128) / 256)
+            << "in shadow: ambient alone";
+    }
+}
+
+TEST(Shading, TheHighlightIsBrightestInTheMirrorDirection) {
+    const Vector3 light = unit3({1, 0, 1}), up{0, 1, 0};
+    const ShadingSpec spec{0, {false, q14(light), {}}, {false, q14({-0.70710678, 0, 0.70710678}),
+                                                        {}}};
+    const Material shiny{0, 255, 4};
+    int best = -1, best_degrees = 0;
+    for (int degrees = -40; degrees <= 40; ++degrees) {
+        const double angle = degrees * 3.14159265358979 / 180;
+        const Vector3 normal{std::sin(angle), 0, std::cos(angle)};
+        const Vector3 across{std::cos(angle), 0, -std::sin(angle)};
+        const int level = BlockShading(flat(across, up), spec, shiny).level(0, 0, false);
+        const double expected = level_of(shiny, 0, normal, light, {-0.70710678, 0, 0.70710678});
+        EXPECT_NEAR(level, expected, 1.5) << degrees;
+        EXPECT_EQ(BlockShading(flat(across, up), spec, shiny).level(0, 0, true), 0);
+        if (level > best) {
+            best = level;
+            best_degrees = degrees;
+        }
+    }
+    EXPECT_EQ(best, 255);
+    EXPECT_EQ(best_degrees, 0);
+}
+
+// All of a sphere of 92 pixels but its last 3 % next to the limb. A level is its leaf's, taken up
+// to half a pixel away, so it may differ by the level's change within the pixel and by 1.
+void expect_sphere_levels(double azimuth, double elevation, const Material& material) {
+    Stage<> stage;
+    stage.materials = {material};
+    stage.ambient_q8 = 90;
+    const View view = orthographic(azimuth, elevation, 2);
+    const View light = orthographic(azimuth - 50, elevation > 0 ? elevation - 40 : 30, 2);
+    Patches patches;
+    const Sphere sphere = umbra78::test::sphere(0.1, 0.05, -0.02, 0.72);
+    umbra78::test::add_sphere(patches, sphere);
+    stage.draw(patches, view, Sampling::centre, &light);
+    const Camera camera(view, {});
+    const Vector3 l = axis3(light.frame.back);
+    const auto truth = [&](double x, double y) {
+        const auto at = hit(camera.ray(x, y), sphere);
+        if (!at) return -1.0;
+        return level_of(material, 90 / 256.0, unit3(along(*at, -1, world3(sphere.centre))), l,
+                        camera.back);
+    };
+    double worst = 0, worst_excess = 0;
+    int pixels = 0, worst_x = 0, worst_y = 0;
+    for (int py = 0; py < 512; ++py) {
+        for (int px = 0; px < 512; ++px) {
+            const double x = px - 255.5, y = py - 255.5;
+            if (disc_lies(camera, sphere, x, y, 0.03 * 92) != Lies::inside) continue;
+            const double expected = truth(x, y);
+            double change = 0;
+            for (const auto& [dx, dy] : {std::pair{-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}})
+                change = std::max(change, std::abs(truth(x + dx, y + dy) - expected));
+            const double difference = std::abs(stage.intensity_at(px, py) - expected);
+            worst = std::max(worst, difference);
+            ++pixels;
+            if (difference - change <= worst_excess) continue;
+            worst_excess = difference - change;
+            worst_x = px;
+            worst_y = py;
+        }
+    }
+    EXPECT_GT(pixels, 20000);
+    EXPECT_LT(worst_excess, 1) << "at " << worst_x << ", " << worst_y;
+    EXPECT_LT(worst, material.specular == 0 ? 2 : 5);
+    std::cout << "[ measured ] view " << azimuth << ", " << elevation << ": levels differ by at most "
+              << worst << ", by " << worst_excess << " beyond the change within the pixel\n";
+}
+
+TEST(Shading, OfASphereIsAnalyticAtEveryPixelAndAtThePoles) {
+    for (const double elevation : {0.0, 60.0, 90.0, -90.0, -45.0}) {
+        expect_sphere_levels(20, elevation, {215, 0, 0});
+        expect_sphere_levels(20, elevation, {165, 90, 5});
+    }
+}
+
+// A plane under a point light: the direction changes from place to place.
+TEST(Shading, APointLightShinesFromItsPlace) {
+    Stage<> stage;
+    stage.materials = {{200, 50, 4}};
+    stage.ambient_q8 = 26;
+    const View view = orthographic(10, 80, 2);
+    View light = perspective(40, 50, 1, 1.5, 0.1, 10);  // an eye 1.5 from the target
+    light.target = {q16(0.2), 0, q16(-0.3)};
+    const Camera camera(view, {}), lamp(light, {});
+    Patches patches{plane_patch(plane({-2, 0, -2}, {4, 0, 0}, {0, 0, 4}))};
+    stage.draw(patches, view, Sampling::centre, &light);
+    double worst = 0;
+    int pixels = 0;
+    for (int py = 0; py < 512; ++py) {
+        for (int px = 0; px < 512; ++px) {
+            if (!stage.drawn(px, py)) continue;
+            const auto ray = camera.ray(px - 255.5, py - 255.5);
+            const Vector3 at = along(ray.origin, -ray.origin[1] / ray.direction[1], ray.direction);
+            const Vector3 l = unit3(along(lamp.eye(), -1, at));
+            const double expected =
+                level_of(stage.materials[0], 26 / 256.0, {0, 1, 0}, l, camera.back);
+            worst = std::max(worst, std::abs(stage.intensity_at(px, py) - expected));
+            ++pixels;
+        }
+    }
+    EXPECT_GT(pixels, 200000);
+    EXPECT_LT(worst, 2.5);
+    std::cout << "[ measured ] point light: levels differ by at most " << worst << '\n';
+}
+
+}  // namespace
+}  // namespace umbra78::raster
