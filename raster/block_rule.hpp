@@ -39,17 +39,20 @@ constexpr Fate block_fate(const ScreenBounds& b, const hw::MachineSpec& spec) {
     const std::int64_t deep = (spec.depth_offset() + 1) << depth_guard(spec);
     const std::array<std::int64_t, 3> limit{edge, edge, deep};
     bool small = true;
-    std::int64_t in_u = 0, in_v = 0;  // the greater of slope and scaled bend, 16 px = 2^17
+    // The greater of slope and scaled bend, 16 px = 2^17. Unsigned: a bend in perspective may reach
+    // 3 2^58, and 16 times that still fits.
+    std::uint64_t in_u = 0, in_v = 0;
+    const auto word = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
     for (std::size_t k = 0; k < 3; ++k) {
         if (b[k].greatest < -limit[k] || b[k].least > limit[k]) return Fate::outside;
         if (b[k].greatest >= unbounded || b[k].least <= -unbounded) small = false;
         if (b[k].bend_u > greatest_bend || b[k].bend_v > greatest_bend) small = false;
-        in_u = std::max(in_u, 16 * b[k].bend_u);
-        in_v = std::max(in_v, 16 * b[k].bend_v);
+        in_u = std::max(in_u, 16 * word(b[k].bend_u));
+        in_v = std::max(in_v, 16 * word(b[k].bend_v));
         if (k == 2) break;
         if (b[k].slope_u + b[k].slope_v > greatest_slope) small = false;
-        in_u = std::max(in_u, b[k].slope_u);
-        in_v = std::max(in_v, b[k].slope_v);
+        in_u = std::max(in_u, word(b[k].slope_u));
+        in_v = std::max(in_v, word(b[k].slope_v));
     }
     if (small) return Fate::draw;
     return in_u >= in_v ? Fate::split_u : Fate::split_v;

@@ -75,6 +75,9 @@ void expand(const std::array<Component, Components>& block,
             gv[0][i] = f[i][4 * c + 2];
             gv[leaves][i] = f[i][4 * c + 3];
         }
+        // The padding's lanes are halved with the rest; what the memory held must not overflow.
+        for (std::size_t i = corners; i < grid_stride; ++i)
+            grid[c][0][i] = grid[c][leaves][i] = 0;
         detail::subdivide_lanes(grid[c], gv);
     }
 }

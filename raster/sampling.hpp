@@ -91,7 +91,7 @@ inline void centre_windows(const Corners& g, int j, std::int32_t half_px, Centre
             const std::int32_t low =
                 (least - slack + to_index + (1 << raster_fraction) - 1) >> raster_fraction;
             const std::int32_t high = (greatest + slack + to_index) >> raster_fraction;
-            first_px[u] = std::max(low, 0);
+            first_px[u] = std::max<std::int32_t>(low, 0);
             last_px[u] = std::min(high, last);
         }
     };

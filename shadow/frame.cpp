@@ -60,6 +60,17 @@ raster::DrawSetup draw_setup(const Scene& scene, const Settings& settings,
              raster::toward_viewer(scene.observer, matrices.object)}};
 }
 
+// The scene's patches by depth; a frame carved for more of them has room to spare.
+template <class Depth>
+std::span<const std::uint32_t> front_to_back(const Scene& scene, const raster::View& view,
+                                             FrameBuffers<Depth>& frame) {
+    const std::size_t n = scene.patches.size();
+    fixed::require(n <= frame.order.size(), "frame carved for fewer patches than the scene has");
+    const std::span order = frame.order.first(n);
+    raster::order_front_to_back(scene.patches, view, order, frame.nearest);
+    return order;
+}
+
 }  // namespace
 
 template <class Depth>
@@ -104,10 +115,10 @@ template <class Depth>
 void draw_light(const Scene& scene, const Settings& settings, const FrameMatrices& matrices,
                 FrameBuffers<Depth>& frame, FrameCounts& counts) {
     frame.light.clear(settings.machine);
-    raster::order_front_to_back(scene.patches, scene.light, frame.order, frame.nearest);
+    const std::span order = front_to_back(scene, scene.light, frame);
     raster::DepthSink<Depth> sink{frame.light};
     counts.light =
-        raster::draw(scene.patches, frame.order,
+        raster::draw(scene.patches, order,
                      draw_setup(scene, settings, matrices, matrices.world_to_light), *frame.draw,
                      sink);
 }
@@ -116,12 +127,12 @@ template <class Depth>
 void draw_observer(const Scene& scene, const Settings& settings, const FrameMatrices& matrices,
                    FrameBuffers<Depth>& frame, FrameCounts& counts) {
     frame.observer.clear(settings.machine);
-    raster::order_front_to_back(scene.patches, scene.observer, frame.order, frame.nearest);
+    const std::span order = front_to_back(scene, scene.observer, frame);
     const raster::DrawSetup setup =
         draw_setup(scene, settings, matrices, matrices.world_to_observer);
     if (settings.form == Form::post_process) {
         raster::PictureSink<Depth> sink{frame.observer};
-        counts.observer = raster::draw(scene.patches, frame.order, setup, *frame.draw, sink);
+        counts.observer = raster::draw(scene.patches, order, setup, *frame.draw, sink);
         return;
     }
     std::fill(frame.mask.begin(), frame.mask.end(), mask_lit);
@@ -129,7 +140,7 @@ void draw_observer(const Scene& scene, const Settings& settings, const FrameMatr
     const LightMap<Depth> map{frame.light, settings.machine, settings.lookup,
                               settings.background};
     CorrectSink<Depth> sink(frame.observer, map, unit, settings, frame.mask);
-    counts.observer = raster::draw(scene.patches, frame.order, setup, *frame.draw, sink);
+    counts.observer = raster::draw(scene.patches, order, setup, *frame.draw, sink);
 }
 
 template <class Depth>

@@ -40,7 +40,8 @@ Rounded rounded(const Settings& s, const hw::MatrixWords& matrix, std::size_t ro
 
 // The row's share of a result: what does not change along the scan line, and c_z.
 struct RowShare {
-    std::int32_t high, low, z_coefficient;
+    std::int32_t high, low;
+    std::int16_t z_coefficient;
     int shift;
 };
 
@@ -53,7 +54,7 @@ std::array<RowShare, 3> row_shares(const Settings& s, const hw::MatrixWords& m, 
                                m.word[r][3] * one + k.half;
         out[r] = {static_cast<std::int32_t>(v >> k.shift),
                   static_cast<std::int32_t>(v & ((std::int64_t{1} << k.shift) - 1)),
-                  m.word[r][2], k.shift};
+                  static_cast<std::int16_t>(m.word[r][2]), k.shift};
     }
     return out;
 }
@@ -71,16 +72,30 @@ void column_shares(const Settings& s, const hw::MatrixWords& m, RowMemory& memor
     }
 }
 
-void transform_row(const hw::Depth16* depth, std::size_t n, const std::array<RowShare, 3>& share,
+// The pixels of a scan line between its first and its last visible one.
+struct Span {
+    std::size_t first, end;
+};
+
+Span visible_span(const hw::Depth16* depth, std::size_t n, hw::Depth16 none) {
+    Span s{0, n};
+    while (s.first < n && depth[s.first] == none) ++s.first;
+    while (s.end > s.first && depth[s.end - 1] == none) --s.end;
+    return s;
+}
+
+// z words are 16 bits, like the coefficient: a widening product the compiler has lanes for.
+void transform_row(const hw::Depth16* depth, Span span, const std::array<RowShare, 3>& share,
                    std::int32_t offset, int z_up, RowMemory& memory) {
     for (std::size_t r = 0; r < 3; ++r) {
         const RowShare k = share[r];
-        const auto& high = memory.column_high[r];
-        const auto& low = memory.column_low[r];
-        auto& out = memory.result[r];
-        for (std::size_t x = 0; x < n; ++x) {
-            const std::int32_t z = (depth[x] - offset) * (1 << z_up);
-            out[x] = high[x] + k.high + ((low[x] + k.low + k.z_coefficient * z) >> k.shift);
+        const std::int32_t* high = memory.column_high[r].data();
+        const std::int32_t* low = memory.column_low[r].data();
+        std::int32_t* out = memory.result[r].data();
+        for (std::size_t x = span.first; x < span.end; ++x) {
+            const auto z = static_cast<std::int16_t>((depth[x] - offset) * (1 << z_up));
+            const std::int32_t product = std::int32_t{k.z_coefficient} * z;
+            out[x] = high[x] + k.high + ((low[x] + k.low + product) >> k.shift);
         }
     }
 }
@@ -90,13 +105,13 @@ int bytes(std::uint64_t w, int n) { return fixed::sum_of_uniforms(w, n); }
 
 // Four or twelve bytes a word: a pixel's bits are one or three steps of the 64-bit stream.
 template <int K>
-void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, std::size_t n,
+void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, Span span,
                 RowMemory& memory) {
     const std::int32_t amplitude = fixed::dither_amplitude(K, d.size_q8, m.fraction_bits);
     fixed::NoiseRegister start(d.seed);
-    start.jump((static_cast<std::uint64_t>(y) << m.xy_bits) * 16 * K);
+    start.jump(((static_cast<std::uint64_t>(y) << m.xy_bits) + span.first) * 16 * K);
     fixed::NoiseStream64 stream(start);
-    for (std::size_t x = 0; x < n; ++x) {
+    for (std::size_t x = span.first; x < span.end; ++x) {
         const std::uint64_t a = stream.next64();
         int sx = bytes(a, 4), sy = bytes(a >> 32, 4);
         if constexpr (K == 12) {
@@ -109,12 +124,12 @@ void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, std::size_
     }
 }
 
-void add_dither(const Settings& s, int y, std::size_t n, RowMemory& memory) {
+void add_dither(const Settings& s, int y, Span span, RowMemory& memory) {
     const hw::Dither& d = s.dither;
-    if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, s.machine, y, n, memory);
-    if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, s.machine, y, n, memory);
-    hw::NoiseSource noise(d, s.machine, 0, y);
-    for (std::size_t x = 0; x < n; ++x) {
+    if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, s.machine, y, span, memory);
+    if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, s.machine, y, span, memory);
+    hw::NoiseSource noise(d, s.machine, static_cast<int>(span.first), y);
+    for (std::size_t x = span.first; x < span.end; ++x) {
         const hw::DitherWords w = noise.next();
         memory.result[0][x] += w.x;
         memory.result[1][x] += w.y;
@@ -122,42 +137,47 @@ void add_dither(const Settings& s, int y, std::size_t n, RowMemory& memory) {
 }
 
 // Nearest: the address of the texel, and the code or -1 where the pixel is lit for sure.
-void nearest_addresses(const hw::Depth16* depth, std::size_t n, const hw::MachineSpec& m,
+void nearest_addresses(const hw::Depth16* depth, Span span, const hw::MachineSpec& m,
                        RowMemory& memory) {
-    const std::int32_t edge = m.half_px() << m.fraction_bits, f = m.fraction_bits;
+    const std::int32_t edge = m.half_px() << m.fraction_bits, limit = 2 * edge;
+    const int f = m.fraction_bits, xy = m.xy_bits;
     const auto offset = static_cast<std::int32_t>(m.depth_offset());
-    const auto deepest = static_cast<std::uint32_t>(m.deepest_drawn());
-    const auto none = static_cast<std::int32_t>(m.background());
-    auto& [X, Y, Z] = memory.result;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto x = static_cast<std::uint32_t>(X[i] + edge);
-        const auto y = static_cast<std::uint32_t>(Y[i] + edge);
-        const std::int32_t code = Z[i] + offset;
-        const auto limit = static_cast<std::uint32_t>(2 * edge);
-        const bool in = (x < limit) & (y < limit) &
-                        (static_cast<std::uint32_t>(code) <= deepest) & (depth[i] != none);
-        const auto address = static_cast<std::int32_t>(((y >> f) << m.xy_bits) + (x >> f));
-        memory.address[i] = in ? address : 0;
-        Z[i] = in ? code : -1;
+    const auto beyond = static_cast<std::int32_t>(m.background());  // also: nothing drawn
+    const std::int32_t* X = memory.result[0].data();
+    const std::int32_t* Y = memory.result[1].data();
+    std::int32_t* Z = memory.result[2].data();
+    std::int32_t* address = memory.address.data();
+    for (std::size_t i = span.first; i < span.end; ++i) {
+        const std::int32_t x = X[i] + edge, y = Y[i] + edge, code = Z[i] + offset;
+        // All ones where every one of these is negative, that is: inside the light's volume.
+        const std::int32_t inside =
+            (~x & ~y & ~code & (x - limit) & (y - limit) & (code - beyond) &
+             (std::int32_t{depth[i]} - beyond)) >> 31;
+        address[i] = (((y >> f) << xy) + (x >> f)) & inside;
+        Z[i] = code | ~inside;
     }
 }
 
 std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<hw::Depth16>& light,
-                          std::size_t n, const hw::MachineSpec& m, RowMemory& memory,
+                          Span span, const hw::MachineSpec& m, RowMemory& memory,
                           std::uint8_t* mask) {
-    nearest_addresses(depth, n, m, memory);
-    std::uint64_t shadowed = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool shadow =
-            memory.result[2][i] > light.depth[static_cast<std::size_t>(memory.address[i])];
-        mask[i] = shadow ? mask_shadow : mask_lit;
+    nearest_addresses(depth, span, m, memory);
+    const hw::Depth16* texels = light.depth.data();
+    std::int32_t* code = memory.result[2].data();
+    std::int32_t* texel = memory.result[0].data();
+    for (std::size_t i = span.first; i < span.end; ++i)
+        texel[i] = texels[static_cast<std::uint32_t>(memory.address[i])];
+    std::uint32_t shadowed = 0;
+    for (std::size_t i = span.first; i < span.end; ++i) {
+        const std::uint32_t shadow = static_cast<std::uint32_t>(texel[i] - code[i]) >> 31;
+        mask[i] = static_cast<std::uint8_t>(0 - shadow);
         shadowed += shadow;
     }
     return shadowed;
 }
 
 std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::Depth16>& light,
-                           std::size_t n, const Settings& s, RowMemory& memory,
+                           Span span, const Settings& s, RowMemory& memory,
                            std::uint8_t* mask) {
     const hw::MachineSpec& m = s.machine;
     const LightMap<hw::Depth16> map{light, m, Lookup::bilinear, s.background};
@@ -166,7 +186,7 @@ std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::De
     const auto offset = static_cast<std::int32_t>(m.depth_offset());
     const hw::Depth16* texels = light.depth.data();
     std::uint64_t shadowed = 0;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = span.first; i < span.end; ++i) {
         bool shadow = false;
         const std::int32_t x = memory.result[0][i], y = memory.result[1][i];
         const std::int32_t code = memory.result[2][i] + offset;
@@ -225,20 +245,20 @@ PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
     for (int y = 0; y < m.size_px(); ++y) {
         const hw::Depth16* depth = observer.depth.data() + observer.address(0, y);
         std::uint8_t* out = mask.data() + observer.address(0, y);
+        const Span span = visible_span(depth, n, none);
+        std::fill_n(out, span.first, mask_lit);
+        std::fill_n(out + span.end, n - span.end, mask_lit);
+        if (span.first == span.end) continue;  // background alone: no transform, no noise
         std::uint32_t visible = 0;
-        for (std::size_t x = 0; x < n; ++x) visible += depth[x] != none;
-        if (visible == 0) {  // background alone: nothing to transform, no noise to draw
-            std::fill_n(out, n, mask_lit);
-            continue;
-        }
+        for (std::size_t x = span.first; x < span.end; ++x) visible += depth[x] != none;
         counts.visible += visible;
-        transform_row(depth, n, row_shares(settings, matrix, y),
+        transform_row(depth, span, row_shares(settings, matrix, y),
                       static_cast<std::int32_t>(m.depth_offset()),
                       m.input_fraction() - m.depth_fraction(), memory);
-        if (settings.dither.shape != hw::DitherShape::none) add_dither(settings, y, n, memory);
+        if (settings.dither.shape != hw::DitherShape::none) add_dither(settings, y, span, memory);
         counts.shadowed += settings.lookup == Lookup::nearest
-                               ? nearest_row(depth, light, n, m, memory, out)
-                               : bilinear_row(depth, light, n, settings, memory, out);
+                               ? nearest_row(depth, light, span, m, memory, out)
+                               : bilinear_row(depth, light, span, settings, memory, out);
     }
     return counts;
 }

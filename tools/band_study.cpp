@@ -1,6 +1,7 @@
 #include "tools/band_study.hpp"
 
 #include "tools/figure_set.hpp"
+#include "tools/markdown.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,6 @@ constexpr int bins = 4;
 
 const char* name(Sampling s) { return s == Sampling::centre ? "centre" : "leaf"; }
 const char* name(Registration r) { return r == Registration::centre ? "centre" : "index"; }
-const char* yes_or_no(bool fits) { return fits ? "yes" : "no"; }
 
 std::array<double, bins> profile(const SceneTruth& truth, const RenderJob& job) {
     const std::vector<std::uint8_t> visible = job.visible();
@@ -40,14 +40,17 @@ std::array<double, bins> profile(const SceneTruth& truth, const RenderJob& job) 
 }  // namespace
 
 bool BandRow::greatest_at_line() const {
-    return std::max_element(false_shadow.begin(), false_shadow.end()) == &false_shadow.back();
+    return std::max_element(false_shadow.begin(), false_shadow.end()) == false_shadow.end() - 1;
 }
 
-bool BandRow::band_at_limb() const {
-    return false_shadow[0] >= least_band && false_shadow[0] > false_shadow[1];
+bool BandRow::band_left_of_line() const {
+    bool band = false;
+    for (std::size_t k = 0; k + 1 < false_shadow.size(); ++k)
+        band |= false_shadow[k] >= false_shadow[k + 1] + least_dark;
+    return band && !right_edge_lit();
 }
 
-std::vector<BandRow> study_bands() {
+std::vector<BandRow> study_bands(int bias_quanta) {
     std::vector<BandRow> rows;
     for (const int azimuth : {-100, -80, 80, 100}) {
         LoadedScene scene = figures_scene();
@@ -56,6 +59,7 @@ std::vector<BandRow> study_bands() {
         for (const Sampling sampling : {Sampling::centre, Sampling::leaf}) {
             shadow::Settings settings = shadow::figure_settings(3);
             settings.sampling = sampling;
+            settings.bias_q16 = std::int64_t{bias_quanta} << 16;
             RenderJob job(scene.view(), settings);
             job.draw_light();
             job.draw_observer();
@@ -70,31 +74,34 @@ std::vector<BandRow> study_bands() {
     return rows;
 }
 
-std::string to_markdown(const std::vector<BandRow>& rows) {
-    std::string text =
-        "| light | sampling | registration | lit part of a disc | limb | middle | inner | line | "
-        "line is the light's right edge | greatest at the line | band left of the line | band is "
-        "the observer's right edge |\n"
-        "|------:|----------|--------------|--------------------|-----:|-------:|------:|-----:|"
-        "---|---|---|---|\n";
+std::string to_markdown(const std::vector<BandRow>& rows, int bias_quanta) {
+    std::vector<std::vector<std::string>> table{
+        {"light", "sampling", "registration", "lit part of a disc", "limb", "middle", "inner",
+         "line", "(1)", "(2)", "(3)", "(4)"}};
     for (const BandRow& row : rows) {
-        const auto& fs = row.false_shadow;
-        text += fmt::format(
-            "| {:+d} | {} | {} | {} limb to {} of centre | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {} "
-            "| {} | {} | {} |\n",
-            row.azimuth, name(row.sampling), name(row.registration),
-            row.right_edge_lit() ? "right" : "left",
-            row.line_left_of_centre() ? "left" : "right", fs[0], fs[1], fs[2], fs[3],
-            yes_or_no(row.line_is_lights_right_edge()), yes_or_no(row.greatest_at_line()),
-            yes_or_no(row.band_left_of_line()), yes_or_no(row.band_is_observers_right_edge()));
+        std::vector<std::string> cells{
+            fmt::format("{:+d}", row.azimuth), name(row.sampling), name(row.registration),
+            fmt::format("{} limb to {} of centre", row.right_edge_lit() ? "right" : "left",
+                        row.line_left_of_centre() ? "left" : "right")};
+        for (const double rate : row.false_shadow) cells.push_back(fmt::format("{:.3f}", rate));
+        for (const bool fits : {row.line_is_lights_right_edge(), row.greatest_at_line(),
+                                row.band_left_of_line(), row.observers_right_edge_dark()})
+            cells.emplace_back(fits ? "yes" : "no");
+        table.push_back(std::move(cells));
     }
-    return text + fmt::format(
-        "\nFigure 3's settings; light: azimuth in degrees, positive to the observer's right. limb "
-        ".. line: false-shadow rate in four\nequal steps of the normal's azimuth over the lit "
-        "side of the spheres. Greatest at the line: no other step's rate is\nas high. A band: at "
-        "the limb the rate is at least {} and higher than in the middle; left of the line if the "
-        "left\nlimb is lit, the observer's right edge if the right limb is.\n",
-        BandRow::least_band);
+    return markdown_table(table) +
+           fmt::format(
+               "\nFigure 3's settings, bias {1} quanta. light: azimuth in degrees, positive to "
+               "the observer's right.\nlimb .. line: false-shadow rate in four equal steps of the "
+               "normal's azimuth over the lit side of the\nfour spheres. The parts of the "
+               "sentence:\n\n"
+               "1. the shadow line is the right edge of the spheres in the light's view\n"
+               "2. the error is greatest at the line\n"
+               "3. there is a dark band to the left of the line: a step darker by {0} than its "
+               "neighbour toward the line\n"
+               "4. the observer's right edge of the spheres is lit in truth, and dark: at the "
+               "limb the rate is at least {0}\n",
+               BandRow::least_dark, bias_quanta);
 }
 
 nlohmann::ordered_json to_json(const std::vector<BandRow>& rows) {
@@ -109,7 +116,7 @@ nlohmann::ordered_json to_json(const std::vector<BandRow>& rows) {
                         {"line_is_lights_right_edge", row.line_is_lights_right_edge()},
                         {"greatest_at_line", row.greatest_at_line()},
                         {"band_left_of_line", row.band_left_of_line()},
-                        {"band_is_observers_right_edge", row.band_is_observers_right_edge()}});
+                        {"observers_right_edge_dark", row.observers_right_edge_dark()}});
     return json;
 }
 

@@ -29,19 +29,21 @@ struct BandRow {
     bool right_edge_lit() const { return azimuth > 0; }
     bool line_left_of_centre() const { return (azimuth < 0) == (azimuth < -90 || azimuth > 90); }
 
-    // The sentence's four parts. A band at the limb is there if at least a twentieth of its
-    // pixels err, and more than in the middle.
-    static constexpr double least_band = 0.05;
+    // The sentence's parts, with these thresholds: a step is dark from `least_dark` on, and a
+    // band of its own if it is darker by as much than the step next to it toward the line.
+    static constexpr double least_dark = 0.05;
     bool line_is_lights_right_edge() const { return azimuth < 0; }
     bool greatest_at_line() const;
-    bool band_at_limb() const;
-    bool band_left_of_line() const { return band_at_limb() && !right_edge_lit(); }
-    bool band_is_observers_right_edge() const { return band_at_limb() && right_edge_lit(); }
+    bool band_left_of_line() const;
+    bool observers_right_edge_dark() const {
+        return right_edge_lit() && false_shadow[0] >= least_dark;
+    }
 };
 
-std::vector<BandRow> study_bands();
+// With figure 3's settings, but this bias in quanta.
+std::vector<BandRow> study_bands(int bias_quanta);
 
-std::string to_markdown(const std::vector<BandRow>&);
+std::string to_markdown(const std::vector<BandRow>&, int bias_quanta);
 nlohmann::ordered_json to_json(const std::vector<BandRow>&);
 
 }  // namespace umbra78::tools

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <map>
 #include <memory>
 
 namespace umbra78::tools {
@@ -24,11 +25,20 @@ struct Options {
 
 std::string picture_name(const Figure& figure) { return fmt::format("fig{}.png", figure.number); }
 
-// "ok", "DIFFERS", or "none" where there is no golden.
-const char* golden_status(const Hashes& hashes, const Figure& figure) {
-    const auto found = hashes.find(figure.golden);
-    if (found == hashes.end()) return "none";
-    return found->second == figure.hash ? "ok" : "DIFFERS";
+// Of a figure's buffer: "ok", "DIFFERS", or "none" where there is no golden.
+using Statuses = std::map<std::string, std::string>;
+
+Statuses statuses(const FigureSet& set, const Hashes& hashes,
+                  std::span<const GoldenCheck> checks) {
+    Statuses result;
+    for (const Figure& f : set.figures()) {
+        const auto found = hashes.find(f.golden);
+        result[f.golden] = found == hashes.end() ? "none" : "ok";
+        if (found != hashes.end() && found->second != f.hash) result[f.golden] = "DIFFERS";
+    }
+    for (const GoldenCheck& check : checks)
+        if (!check.problem.empty()) result[check.buffer] = "DIFFERS";
+    return result;
 }
 
 using Rate = std::optional<double>;
@@ -42,17 +52,17 @@ Rate false_light(const Figure& f) {
 void write_contact_sheet(const Path& path, const FigureSet& set, FileSet& files) {
     std::vector<SheetCell> cells;
     for (const Figure& f : set.figures()) {
-        std::string numbers = fmt::format("{:.1f} ms", f.host_ms);
+        std::vector<std::string> caption{fmt::format("Fig. {}: {}", f.number, f.shows),
+                                         fmt::format("{:.1f} ms from the scene", f.host_ms)};
         if (f.error)
-            numbers += fmt::format(", false shadow {} %, false light {} %",
-                                   percent(false_shadow(f)), percent(false_light(f)));
-        cells.push_back({set.size_px(), set.size_px(), f.picture,
-                         {fmt::format("Fig. {}: {}", f.number, f.shows), numbers}});
+            caption.push_back(fmt::format("false shadow {} %, false light {} %",
+                                          percent(false_shadow(f)), percent(false_light(f))));
+        cells.push_back({set.size_px(), set.size_px(), f.picture, std::move(caption)});
     }
     write_sheet(path, cells, {.columns = 3}, &files);
 }
 
-ordered_json to_json(const FigureSet& set, const Hashes& hashes, double total_ms) {
+ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total_ms) {
     ordered_json json{{"size_px", set.size_px()}, {"cycle_ns", cycle_ns}};
     for (const Figure& f : set.figures()) {
         json["figures"].push_back({{"figure", f.number},
@@ -60,7 +70,7 @@ ordered_json to_json(const FigureSet& set, const Hashes& hashes, double total_ms
                                    {"file", picture_name(f)},
                                    {"buffer", f.golden},
                                    {"hash", f.hash},
-                                   {"golden", golden_status(hashes, f)},
+                                   {"golden", goldens.at(f.golden)},
                                    {"transform_cycles", f.transform_cycles},
                                    {"simulated_ms", simulated_ms(f.transform_cycles)},
                                    {"host_ms", f.host_ms},
@@ -73,12 +83,12 @@ ordered_json to_json(const FigureSet& set, const Hashes& hashes, double total_ms
     return json;
 }
 
-void print_rows(const FigureSet& set, const Hashes& hashes) {
-    fmt::print("{:<4}{:<40}{:<39}{:<8}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "fig", "shows", "hash",
+void print_rows(const FigureSet& set, const Statuses& goldens) {
+    fmt::print("{:<4}{:<33}{:<39}{:<8}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "fig", "shows", "hash",
                "golden", "cycles", "sim ms", "host ms", "FS %", "FL %");
     for (const Figure& f : set.figures())
-        fmt::print("{:<4}{:<40}{:<39}{:<8}{:>9}{:>8.1f}{:>9.1f}{:>8}{:>8}\n", f.number, f.shows,
-                   f.hash, golden_status(hashes, f), f.transform_cycles,
+        fmt::print("{:<4}{:<33}{:<39}{:<8}{:>9}{:>8.1f}{:>9.1f}{:>8}{:>8}\n", f.number, f.shows,
+                   f.hash, goldens.at(f.golden), f.transform_cycles,
                    simulated_ms(f.transform_cycles), f.host_ms, percent(false_shadow(f)),
                    percent(false_light(f)));
     fmt::print("\ncycles: of the transform unit, from scene to figure, at {} ns each; host ms: the "
@@ -93,49 +103,56 @@ void print_rows(const FigureSet& set, const Hashes& hashes) {
     }
 }
 
-// Prints what differs and writes a picture of it; true if nothing does.
-bool check_goldens(const Options& options, const FigureSet& set) {
-    const auto buffers = set.buffers();
+// Prints what differs and draws pictures of it; true if nothing does.
+bool accept(std::span<const GoldenCheck> checks, const Options& options, int size_px,
+            FileSet& files) {
     bool all_right = true;
-    for (const GoldenCheck& result : check(options.goldens, buffers)) {
-        if (result.problem.empty()) continue;
+    for (const GoldenCheck& check : checks) {
+        if (check.problem.empty()) continue;
         all_right = false;
         std::string see;
-        if (!result.picture.empty()) {
-            const Path picture = Path(options.out) / fmt::format("diff_{}.png", result.buffer);
-            write_png_rgb(picture, set.size_px(), set.size_px(), result.picture);
+        if (!check.picture.empty()) {
+            const Path picture = Path(options.out) / fmt::format("diff_{}.png", check.buffer);
+            write_png_rgb(picture, size_px, size_px, check.picture, &files);
             see = fmt::format("; see {}", picture.string());
         }
-        fmt::print(stderr, "umbra78: {} is not its golden: {}{}\n", result.buffer,
-                   result.problem, see);
+        fmt::print(stderr, "umbra78: {} is not its golden: {}{}\n", check.buffer, check.problem,
+                   see);
     }
     return all_right;
 }
 
-void run(const Options& options, int& exit_code) {
-    const auto start = std::chrono::steady_clock::now();
-    const Path out = options.out;
-    make_folder(out);
-    const FigureSet set;
-    FileSet files;
-    if (options.bless) {
-        make_folder(options.goldens);
-        bless(options.goldens, set.buffers(), files);
-    }
+void write_pictures(const Path& out, const FigureSet& set, FileSet& files) {
     for (const Figure& f : set.figures())
         write_png_gray(out / picture_name(f), set.size_px(), set.size_px(), f.picture, &files);
     write_contact_sheet(out / "sheet.png", set, files);
     write_highlights(out / "highlights.png", &files);
     write_samplings(out / "samplings.png", set, &files);
+}
 
-    const bool right = !options.check || check_goldens(options, set);
-    exit_code = right ? 0 : 1;
+void run(const Options& options, int& exit_code) {
+    const auto start = std::chrono::steady_clock::now();
+    const FigureSet set;
+    const std::vector<Buffer> buffers = set.buffers();
+    const std::vector<GoldenCheck> checks =
+        options.check ? check(options.goldens, buffers) : std::vector<GoldenCheck>{};
     Hashes hashes = read_hashes(options.goldens);
-    if (options.bless)
-        for (const Buffer& buffer : set.buffers()) hashes[buffer.name] = hash_of(buffer);
+
+    FileSet files;
+    const Path out = options.out;
+    files.make_folder(out);
+    if (options.bless) {
+        files.make_folder(options.goldens);
+        bless(options.goldens, buffers, files);
+        for (const Buffer& buffer : buffers) hashes[buffer.name] = hash_of(buffer);
+    }
+    write_pictures(out, set, files);
+    const Statuses goldens = statuses(set, hashes, checks);
+    const bool right = accept(checks, options, set.size_px(), files);
+    exit_code = right ? 0 : 1;
     const std::chrono::duration<double, std::milli> total =
         std::chrono::steady_clock::now() - start;
-    const std::string json = print(to_json(set, hashes, total.count()));
+    const std::string json = print(to_json(set, goldens, total.count()));
     write_file(out / "figures.json", std::as_bytes(std::span(json)), &files);
     files.commit();
 
@@ -143,10 +160,10 @@ void run(const Options& options, int& exit_code) {
         fmt::print("{}", json);
         return;
     }
-    print_rows(set, hashes);
+    print_rows(set, goldens);
     if (options.bless) fmt::print("Goldens written to {}.\n", options.goldens);
-    if (options.check && right) fmt::print("All buffers are their goldens in {}.\n",
-                                           options.goldens);
+    if (options.check && right)
+        fmt::print("Every buffer is its golden in {}.\n", options.goldens);
     fmt::print("{}: fig1.png .. fig6.png, sheet.png, highlights.png, samplings.png, figures.json; "
                "{:.0f} ms in all.\n", out.string(), total.count());
 }
@@ -156,8 +173,11 @@ void run(const Options& options, int& exit_code) {
 void add_figures_command(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("figures", "Draw figures 1 to 6 of Williams 1978");
-    command->add_option("--out", options->out, "Folder for the pictures")->capture_default_str();
+    command->add_option("--out", options->out, "Folder for the pictures")
+        ->type_name("DIR")
+        ->capture_default_str();
     command->add_option("--goldens", options->goldens, "Folder of the goldens")
+        ->type_name("DIR")
         ->capture_default_str();
     auto* check = command->add_flag("--check", options->check,
                                     "Compare every stage's buffer with its golden; exit 1 if one "

@@ -50,7 +50,7 @@ void write_files(const Options& options, const Rendered& rendered) {
                    rendered.job.bytes(Plane::picture), &files);
     if (!options.buffers.empty()) {
         const Path folder = options.buffers;
-        make_folder(folder);
+        files.make_folder(folder);
         for (const Plane plane : all_planes) {
             const Buffer buffer = rendered.job.buffer(plane);
             write_pgm(folder / (buffer.name + ".pgm"), buffer, &files);
@@ -67,7 +67,8 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
                       {"size_px", rendered.scene.settings.machine.size_px()},
                       {"patches", rendered.scene.patches.size()},
                       {"frame_bytes", job.frame_bytes()}};
-    for (const Plane plane : all_planes) json["hashes"][name_of(plane)] = hash_of(job.buffer(plane));
+    for (const Plane plane : all_planes)
+        json["hashes"][name_of(plane)] = hash_of(job.buffer(plane));
     json["error"] = to_json(rendered.error);
     json["bias"] = to_json(bias_report(rendered.scene.light, job));
     json["machine"] = to_json(job.cost());
@@ -122,16 +123,21 @@ void run(const Options& options) {
 void add_render_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("render", "Render a scene file");
-    command->add_option("scene", options->scene, "Scene file (TOML)")->required();
-    command->add_option("--out", options->out,
-                        "The picture; default: the scene's name with .png, here");
-    command->add_option("--buffers", options->buffers,
-                        "Folder for the raw buffers, as PGM and NPY: Z of both views, intensity, "
-                        "mask before and after each filter, picture");
+    command->add_option("scene", options->scene, "Scene file (TOML)")
+        ->type_name("FILE")
+        ->required();
+    command
+        ->add_option("--out", options->out,
+                     "The picture; default: the scene's name with .png, here")
+        ->type_name("FILE");
+    command
+        ->add_option("--buffers", options->buffers,
+                     "Folder for the raw buffers, as PGM and NPY: Z of both views, intensity, "
+                     "mask before and after each filter, picture")
+        ->type_name("DIR");
     command->add_option("--set", options->set, "key=value: a setting, observer.KEY or light.KEY")
-        ->expected(1, 1 << 20)
-        ->allow_extra_args(false)
-        ->take_all();
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);  // one value a --set, so that the scene may follow
     command->add_flag("--no-truth", options->no_truth, "Leave out the errors against exact truth");
     command->add_flag("--json", options->json, "Print JSON instead of text");
     command->footer([] {

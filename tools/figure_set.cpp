@@ -35,7 +35,7 @@ FigureSet::FigureSet()
     job_.draw_observer();
     visible_ = job_.visible();
     const StageTimes drawn = job_.times();
-    add(1, "the picture, without shadows", copy(Plane::intensity),
+    add(1, "picture, no shadows yet", copy(Plane::intensity),
         job_.buffer(Plane::intensity), job_.cost().observer_cycles,
         drawn.matrices_ms + drawn.observer_ms);
     add(2, "the light's depth map", depth_as_gray(job_.buffer(Plane::light_z)),
@@ -45,7 +45,7 @@ FigureSet::FigureSet()
     const auto ms_so_far = [&] { return job_.times().total_ms(); };
     job_.cast_shadows();
     mask3_ = copy(Plane::mask);
-    add(3, "the shadow, nearest lookup, little bias", mask3_, mask3(), cost_so_far(), ms_so_far(),
+    add(3, "shadow: nearest lookup, low bias", mask3_, mask3(), cost_so_far(), ms_so_far(),
         mask3_);
 
     shadow::Settings index = figure_settings(3);
@@ -56,17 +56,17 @@ FigureSet::FigureSet()
 
     job_.use(figure_settings(4));
     job_.cast_shadows();
-    add(4, "bilinear lookup, dither, more bias", copy(Plane::mask),
+    add(4, "shadow: bilinear, dither, bias", copy(Plane::mask),
         named(job_.buffer(Plane::mask), "mask4"), cost_so_far(), ms_so_far(),
         job_.bytes(Plane::mask));
 
     // Figures 5 and 6 share figure 4's comparison.
     job_.use(figure_settings(6));
     job_.filter_and_composite();
-    add(5, "its edges dequantized, low-passed", copy(Plane::filtered),
+    add(5, "edges dequantized, low-passed", copy(Plane::filtered),
         named(job_.buffer(Plane::filtered), "filtered5"), cost_so_far(), ms_so_far(),
         job_.bytes(Plane::filtered));
-    add(6, "the shadow on the picture", copy(Plane::picture),
+    add(6, "shadow laid on the picture", copy(Plane::picture),
         named(job_.buffer(Plane::picture), "picture6"), cost_so_far(), ms_so_far(),
         job_.bytes(Plane::filtered));
 }

@@ -60,15 +60,23 @@ void write_partial(const Path& path, std::span<const std::byte> content) {
 
 }  // namespace
 
-void make_folder(const Path& path) {
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (!error && !std::filesystem::is_directory(path)) error.assign(ENOTDIR, std::generic_category());
-    if (error) fail("make the folder", path, error.message(), "name a place that can be written to");
+FileSet::~FileSet() {
+    std::error_code ignored;
+    for (const Path& path : written_) std::remove(partial_name(path).c_str());
+    for (const Path& path : folders_) std::filesystem::remove(path, ignored);  // if empty
 }
 
-FileSet::~FileSet() {
-    for (const Path& path : written_) std::remove(partial_name(path).c_str());
+void FileSet::make_folder(const Path& path) {
+    std::error_code error;
+    for (Path missing = std::filesystem::absolute(path).lexically_normal();
+         !std::filesystem::exists(missing, error) && missing.has_relative_path();
+         missing = missing.parent_path())
+        folders_.push_back(missing);
+    std::filesystem::create_directories(path, error);
+    if (!error && !std::filesystem::is_directory(path))
+        error = std::make_error_code(std::errc::not_a_directory);
+    if (error)
+        fail("make the folder", path, error.message(), "name a place that can be written to");
 }
 
 void FileSet::write(const Path& path, std::span<const std::byte> content) {
@@ -80,6 +88,7 @@ void FileSet::commit() {
     for (const Path& path : written_)
         if (std::rename(partial_name(path).c_str(), path.c_str()) != 0) fail_with(errno, path);
     written_.clear();
+    folders_.clear();
 }
 
 void write_file(const Path& path, std::span<const std::byte> content, FileSet* set) {

@@ -17,9 +17,6 @@ namespace umbra78::tools {
 
 using Path = std::filesystem::path;
 
-// Makes the folder and those above it where they are missing.
-void make_folder(const Path&);
-
 // Files that appear all together, or not at all if it is destroyed before.
 class FileSet {
 public:
@@ -28,11 +25,13 @@ public:
     FileSet& operator=(const FileSet&) = delete;
     ~FileSet();
 
+    // Makes the folder and those above it where they are missing.
+    void make_folder(const Path&);
     void write(const Path&, std::span<const std::byte> content);  // under its partial name
     void commit();
 
 private:
-    std::vector<Path> written_;
+    std::vector<Path> folders_, written_;
 };
 
 // Every writer below puts its file into `set`, or where there is none, in its place at once.

@@ -12,8 +12,13 @@ Path picture_path(const Path& folder, const std::string& name) { return folder /
 
 GoldenCheck check(const Path& folder, const Buffer& buffer, const Hashes& hashes) {
     GoldenCheck result{buffer.name, {}, {}};
-    const Path path = picture_path(folder, buffer.name);
-    const Pgm golden = read_pgm(path);
+    Pgm golden{};
+    try {
+        golden = read_pgm(picture_path(folder, buffer.name));
+    } catch (const std::runtime_error& error) {
+        result.problem = error.what();
+        return result;
+    }
     if (golden.width != buffer.size_px || golden.height != buffer.size_px) {
         result.problem = fmt::format("the golden has {} x {} pixels, the buffer {} x {}",
                                      golden.width, golden.height, buffer.size_px, buffer.size_px);

@@ -49,13 +49,13 @@ int main(int argc, char** argv) {
     CLI::App app{"The shadow machine of Lance Williams' \"Casting Curved Shadows on Curved "
                  "Surfaces\" (1978), in fixed point and bit for bit."};
     app.name("umbra78");
-    app.footer("Example:\n  umbra78 figures --out out");
     app.require_subcommand(1);
     int exit_code = 0;
     add_figures_command(app, exit_code);
     add_render_command(app, exit_code);
     add_bands_command(app, exit_code);
     add_settings_command(app, exit_code);
+    app.footer("Example:\n  umbra78 figures --out out");  // last: subcommands would inherit it
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

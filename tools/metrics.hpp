@@ -5,7 +5,6 @@
 // span of another length is std::invalid_argument. Bands are images of 0 and 1, for leaving out.
 #pragma once
 
-#include "tools/spectrum.hpp"
 #include "tools/truth.hpp"
 
 #include <cstddef>

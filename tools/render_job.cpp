@@ -146,7 +146,9 @@ std::vector<std::uint8_t> RenderJob::visible() const {
     std::vector<std::uint8_t> seen;
     std::visit(
         [&](const auto& frame) {
-            for (const std::uint32_t code : frame.observer.depth) seen.push_back(code != background);
+            seen.reserve(frame.observer.depth.size());
+            for (const std::uint32_t code : frame.observer.depth)
+                seen.push_back(code != background);
         },
         frame_);
     return seen;

@@ -40,7 +40,7 @@ std::int64_t read_number(const TomlNode& node, const std::string& called,
     if (node.kind != Kind::number) fail_of_kind(node, called, "write a number");
     const auto [word, status] = fixed::parse_decimal(node.text, range.fraction, 64);
     if (status == DecimalStatus::bad_character)
-        fail_of_kind(node, called, "write it in decimal");
+        fail_of_kind(node, called, "write a decimal, such as 2.5");
     if (range.fraction == 0 && node.text.find_first_of(".eE") != node.text.npos)
         fail_of_kind(node, called, "write a whole number");
     if (status != DecimalStatus::ok || word < range.least || word > range.most)

@@ -128,9 +128,9 @@ raster::Patch read_patch(const TomlNode& node, const Names& names) {
             add(row);
         }
     }
-    if (control.kind != Kind::array || count != patch.control.size())
-        fail(control, fmt::format("'control' in [[patch]] has {} points; write 16, or 4 rows of 4",
-                                  count));
+    if (count != patch.control.size())
+        fail(control, fmt::format("{} holds {} points; write 16, or 4 rows of 4",
+                                  in.called("control"), count));
     patch.material = read_material(in, names);
     return patch;
 }

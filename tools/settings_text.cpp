@@ -1,6 +1,7 @@
 #include "tools/settings_text.hpp"
 
 #include "fixed/decimal.hpp"
+#include "tools/markdown.hpp"
 #include "tools/scene_reader.hpp"
 
 #include <fmt/format.h>
@@ -39,24 +40,6 @@ ordered_json json_value(const Setting& setting, std::int64_t word) {
     if (setting.kind == SettingKind::decimal)
         return static_cast<double>(word) / static_cast<double>(std::int64_t{1} << setting.fraction);
     return setting.names[static_cast<std::size_t>(word)];
-}
-
-using Row = std::array<std::string, 5>;
-
-std::string markdown_table(const std::vector<Row>& rows, std::size_t columns) {
-    std::array<std::size_t, 5> width{};
-    for (const Row& row : rows)
-        for (std::size_t c = 0; c < columns; ++c) width[c] = std::max(width[c], row[c].size());
-    std::string text;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        for (std::size_t c = 0; c < columns; ++c)
-            text += fmt::format("| {:<{}} ", rows[r][c], width[c]);
-        text += "|\n";
-        for (std::size_t c = 0; r == 0 && c < columns; ++c)
-            text += fmt::format("|{:-<{}}", "", width[c] + 2);
-        text += r == 0 ? "|\n" : "";
-    }
-    return text;
 }
 
 }  // namespace
@@ -128,15 +111,16 @@ std::string settings_help() {
 }
 
 std::string settings_markdown() {
-    std::vector<Row> rows{{"key", "unit", "range", "default", "meaning"}};
+    std::vector<std::vector<std::string>> rows{{"key", "unit", "range", "default", "meaning"}};
     for (const Setting& s : shadow::settings_table())
         rows.push_back({fmt::format("`{}`", s.key), std::string(s.unit), print_range(s),
                         print(s, default_of(s)), std::string(s.meaning)});
-    std::vector<Row> named{{"profile", "coefficient_bits", "multipliers", "meaning"}};
+    std::vector<std::vector<std::string>> named{
+        {"profile", "coefficient_bits", "multipliers", "meaning"}};
     for (const shadow::Profile& p : shadow::profiles())
         named.push_back({fmt::format("`{}`", p.name), fmt::format("{}", p.coefficient_bits),
                          fmt::format("{}", p.multipliers), std::string(p.meaning)});
-    return markdown_table(rows, 5) + "\n" + markdown_table(named, 4);
+    return markdown_table(rows) + "\n" + markdown_table(named);
 }
 
 ordered_json settings_json() {

@@ -51,7 +51,7 @@ private:
 
 const char* name_of(toml::node_type type) {
     switch (type) {
-        case toml::node_type::boolean: return "true or false";
+        case toml::node_type::boolean: return "a boolean";
         case toml::node_type::date: return "a date";
         case toml::node_type::time: return "a time";
         case toml::node_type::date_time: return "a date";

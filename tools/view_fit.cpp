@@ -34,10 +34,10 @@ Place place(const raster::View& view, const World& point) {
     };
     const std::int64_t x = std::abs(along(view.frame.right, view.target, point));
     const std::int64_t y = std::abs(along(view.frame.up, view.target, point));
-    const std::int64_t depth = -q38(along(view.frame.back, view.target, point), Rounding::half_even);
+    const std::int64_t toward = along(view.frame.back, view.target, point);
     const bool perspective = view.projection == raster::Projection::perspective;
-    return {q38(std::max(x, y), Rounding::ceiling),
-            depth + (perspective ? std::int64_t{view.distance} << from_world : 0)};
+    const std::int64_t eye = perspective ? std::int64_t{view.distance} << from_world : 0;
+    return {q38(std::max(x, y), Rounding::ceiling), eye - q38(toward, Rounding::half_even)};
 }
 
 // a / b > c / d, for numbers that are not negative.

@@ -125,23 +125,30 @@ Patch sixteenth(const Patch& patch, int ku, int kv) {
     const auto word = [](std::int64_t q28) {
         return static_cast<std::int32_t>(fixed::round_shift(q28, 12, fixed::Rounding::half_even));
     };
-    for (std::size_t n = 0; n < 16; ++n) out.control[n] = {word(p[n][0]), word(p[n][1]), word(p[n][2])};
+    for (std::size_t n = 0; n < 16; ++n)
+        out.control[n] = {word(p[n][0]), word(p[n][1]), word(p[n][2])};
     return out;
 }
 
-// The parts' control points are rounded to words again, so a Z here and there moves by a quantum;
-// what is seen stays the same.
+// The parts' control points are rounded to words again, so a Z here and there moves by a quantum,
+// and a pixel or two at a silhouette are seen that were not: the cost follows those, and those
+// alone.
 TEST(Cost, SixteenPartsForEachPatch) {
     Patches parts;
     for (const Patch& p : once())
         for (int k = 0; k < 16; ++k) parts.push_back(sixteenth(p, k % 4, k / 4));
     const Cost a = draw("figures", once()), b = draw("each patch in 16 parts", parts);
     EXPECT_EQ(b.counts.observer.patches, 16 * a.counts.observer.patches);
-    expect_equal_cost(a, b);
+    const std::uint64_t before = a.counts.post_process.visible;
+    const std::uint64_t after = b.counts.post_process.visible;
+    EXPECT_LE(after > before ? after - before : before - after, 4u);
+    EXPECT_EQ(a.cycles.transform + 3 * after, b.cycles.transform + 3 * before);
+    EXPECT_EQ(a.cycles.lookup + 4 * after, b.cycles.lookup + 4 * before);
+    EXPECT_EQ(a.cycles.read + a.cycles.write, b.cycles.read + b.cycles.write);
     std::size_t differing = 0;
     for (std::size_t k = 0; k < a.mask.size(); ++k) differing += a.mask[k] != b.mask[k];
     std::printf("pixels of the mask that differ: %zu\n", differing);
-    EXPECT_LT(differing, a.counts.post_process.visible / 100);
+    EXPECT_LT(differing, before / 1000);
 }
 
 // Fewer pixels seen cost less: the cost is a count, not a constant.

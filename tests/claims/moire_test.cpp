@@ -157,8 +157,9 @@ TEST(Controls, AQuarterTexelWithInterpolationLeavesNothingToMeasure) {
 
 // A generator that starts each row in the same state, or stands still, is told with either lookup.
 TEST(Controls, ARepeatingGeneratorFails) {
-    for (const auto& [lookup, shape] : {std::pair{Lookup::bilinear, DitherShape::normal},
-                                        {Lookup::nearest, DitherShape::uniform}}) {
+    for (const Lookup lookup : {Lookup::bilinear, Lookup::nearest}) {
+        const DitherShape shape =
+            lookup == Lookup::bilinear ? DitherShape::normal : DitherShape::uniform;
         const auto words = noise_plane(shape);
         const auto at = [&](int x, int y) -> DitherWords {
             return words[static_cast<std::size_t>(512 * y + x)];

@@ -204,8 +204,8 @@ TEST(Dequantize, ADiscBecomesRounder) {
     struct Disc {
         double radius, error_at_most, shrinks_at_most;  // as parts of the error before and the area
     };
-    for (const auto& [radius, error_at_most, shrinks_at_most] :
-         {Disc{5.3, 0.85, 0.08}, {12.0, 0.55, 0.015}, {24.7, 0.55, 0.008}}) {
+    for (const Disc& disc : {Disc{5.3, 0.85, 0.08}, {12.0, 0.55, 0.015}, {24.7, 0.55, 0.008}}) {
+        const double radius = disc.radius;
         Picture p(6);
         const double cx = 31.7, cy = 32.2;
         p.shade([&](int x, int y) { return std::hypot(x + 0.5 - cx, y + 0.5 - cy) < radius; });
@@ -226,8 +226,8 @@ TEST(Dequantize, ADiscBecomesRounder) {
         std::printf("disc of radius %.1f, 4 passes: area error %.1f pixels before, %.1f after; "
                     "area %.1f of %.1f\n",
                     radius, before, after, area, exact);
-        EXPECT_LT(after, error_at_most * before);
-        EXPECT_NEAR(area / exact, 1, shrinks_at_most);
+        EXPECT_LT(after, disc.error_at_most * before);
+        EXPECT_NEAR(area / exact, 1, disc.shrinks_at_most);
     }
 }
 

@@ -107,6 +107,25 @@ TEST(FrameMemoryDeathTest, TooLittleTraps) {
     EXPECT_DEATH(carve<hw::Depth32>(memory.span(), spec, 128), "");
 }
 
+// A frame carved for more patches than are drawn has room to spare; for fewer it traps.
+TEST(FrameMemory, MayBeCarvedForMorePatches) {
+    const FigureScene figures;
+    const Settings s = figure_settings(6);
+    const Frame<> exact(figures.scene(), s);
+    Frame<> roomy(s.machine, figures.patches.size() + 1000);
+    ASSERT_EQ(roomy.draw(figures.scene(), s), FrameStatus::ok);
+    expect_equal_frames(exact.buffers, roomy.buffers);
+    expect_equal_counts(exact.counts, roomy.counts);
+}
+
+TEST(FrameMemoryDeathTest, MorePatchesThanCarvedForTrap) {
+    const FigureScene figures;
+    Settings s;
+    s.machine.xy_bits = 4;
+    Frame<> frame(s.machine, figures.patches.size() - 1);
+    EXPECT_DEATH(frame.draw(figures.scene(), s), "");
+}
+
 // --- stages -------------------------------------------------------------------------------------
 
 Settings filtered_settings() {
@@ -120,6 +139,7 @@ TEST(Frame, StagesOneByOneAreRender) {
     for (Settings s : {figure_settings(3), figure_settings(6), filtered_settings()})
         for (const Form form : {Form::post_process, Form::correct}) {
             s.form = form;
+            s.machine.xy_bits = 8;
             const Frame<> whole(figures.scene(), s);
             Frame<> parts(s.machine, figures.patches.size());
             const Scene scene = figures.scene();

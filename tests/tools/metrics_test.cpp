@@ -1,6 +1,7 @@
 // The measures on inputs whose answer is known, and MEASURES' negative controls: dithers that
 // are no good must be told from one that is.
 #include "tools/metrics.hpp"
+#include "tools/spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Uniform {
     std::mt19937 bits{seed};
-    double operator()() { return bits() / 4294967296.0; }  // 0 .. 1
+    double operator()() { return static_cast<double>(bits()) / 4294967296.0; }  // 0 .. 1
 };
 
 Image image(int size, const std::function<double(int, int)>& value) {

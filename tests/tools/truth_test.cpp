@@ -174,7 +174,7 @@ bool marched_occluded(const TruthScene& scene, const Real3& point, const Real3& 
 TEST(Truth, AgreesWithMarchingAlongTheRay) {
     const unsigned seed = 78;
     std::mt19937 random(seed);
-    const auto place = [&] { return 4 * (random() / 4294967296.0) - 2; };
+    const auto place = [&] { return 4 * (static_cast<double>(random()) / 4294967296.0) - 2; };
     int cases = 0, shadowed = 0, differing = 0;
     for (int trial = 0; trial < 12; ++trial) {
         TruthScene scene{{}, {floor_at(-2, 2), floor_at(1.5, 0.7)}};

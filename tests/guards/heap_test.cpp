@@ -1,0 +1,105 @@
+// A whole frame allocates nothing and fits in 3 MiB: every call of malloc is counted, and operator
+// new ends there too. Under AddressSanitizer, which has its own malloc, its hook counts.
+#include "shadow/frame.hpp"
+#include "shadow/paper_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+std::atomic<long> calls{0};
+}
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1  // as g++ says it
+#endif
+#endif
+
+#ifdef __SANITIZE_ADDRESS__
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, size_t),
+                                                         void (*)(const volatile void*));
+namespace {
+const int installed = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, size_t) { ++calls; }, [](const volatile void*) {});
+}
+#elif defined(__GLIBC__)
+extern "C" {
+void* __libc_malloc(size_t);
+void* __libc_calloc(size_t, size_t);
+void* __libc_realloc(void*, size_t);
+void* __libc_memalign(size_t, size_t);
+void* malloc(size_t n) { return ++calls, __libc_malloc(n); }
+void* calloc(size_t n, size_t each) { return ++calls, __libc_calloc(n, each); }
+void* realloc(void* p, size_t n) { return ++calls, __libc_realloc(p, n); }
+void* aligned_alloc(size_t at, size_t n) { return ++calls, __libc_memalign(at, n); }
+}
+#endif
+
+namespace umbra78::shadow {
+namespace {
+
+constexpr std::size_t three_mib = std::size_t{3} << 20;
+
+// Allocations of `f`.
+template <class F>
+long allocations(F&& f) {
+    const long before = calls;
+    f();
+    return calls - before;
+}
+
+TEST(Heap, TheCountCounts) {
+    EXPECT_EQ(allocations([] {}), 0);
+    std::unique_ptr<int> kept;
+    EXPECT_GT(allocations([&] { kept = std::make_unique<int>(5); }), 0);
+}
+
+TEST(Heap, AFrameOfTheFiguresFitsInThreeMebibytes) {
+    EXPECT_LT(frame_bytes<hw::Depth16>({}, 128), three_mib);
+    std::cout << "[ measured ] a 512 x 512 frame of 128 patches takes "
+              << frame_bytes<hw::Depth16>({}, 128) << " of " << three_mib << " bytes\n";
+}
+
+TEST(Heap, AFrameAllocatesNothing) {
+    struct alignas(64) Line {
+        std::byte bytes[64];
+    };
+    std::vector<Line> memory(frame_bytes<hw::Depth16>({}, 128) / 64 + 1);
+    FigurePatches patches;
+    FrameMatrices matrices;
+    FrameBuffers<hw::Depth16> frame;
+    for (int figure = 1; figure <= figure_count; ++figure) {
+        for (const Form form : {Form::post_process, Form::correct}) {
+            for (const auto projection :
+                 {raster::Projection::orthographic, raster::Projection::perspective}) {
+                FrameCounts counts;
+                FrameStatus status{};
+                EXPECT_EQ(allocations([&] {
+                    patches = figure_patches();
+                    const std::array materials{figure_material};
+                    Scene scene{patches, materials, figure_view(0), figure_view(figure_azimuth_q16)};
+                    scene.observer.projection = projection;
+                    scene.observer.distance = 6 << 16;
+                    raster::fit_depth(scene.observer,
+                                      raster::depth_range(scene.observer, patches));
+                    Settings settings = figure_settings(figure);
+                    settings.form = form;
+                    frame = carve<hw::Depth16>({memory[0].bytes, 64 * memory.size()},
+                                               settings.machine, patches.size());
+                    status = render(scene, settings, frame, matrices, counts);
+                }), 0) << "figure " << figure;
+                EXPECT_EQ(status, FrameStatus::ok);
+                EXPECT_GT(counts.observer.samples, 50000u) << "something is drawn";
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace umbra78::shadow
