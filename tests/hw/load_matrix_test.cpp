@@ -55,7 +55,8 @@ TEST(LoadMatrix, TakesTheSmallestExponentThatFits) {
         std::array<std::int64_t, 3> row{};
         for (std::int64_t& c : row) {
             c = random.between(-(1 << 30), 1 << 30) >> random.between(0, 30);
-            if (random.bits() % 4 == 0) c = -denominator * (std::int64_t{1} << random.between(0, 8));
+            if (random.bits() % 4 == 0)
+                c = -denominator * (std::int64_t{1} << random.between(0, 8));
         }
         if (row[0] == 0 && row[1] == 0 && row[2] == 0) continue;
         MatrixWords m;

@@ -138,8 +138,12 @@ TEST(SampleCentres, VisitsEveryPixelThatATriangleCovers) {
                     const int px = pixel % 16, py = pixel / 16;
                     const int x = (2 * px - 15) * 4096, y = (2 * py - 15) * 4096;
                     std::int64_t z = 0;
-                    if (triangle_depth(c00, c10, c11, x, y, z)) everywhere.insert({px, py, i, j, z});
-                    if (triangle_depth(c00, c11, c01, x, y, z)) everywhere.insert({px, py, i, j, z});
+                    const auto try_triangle = [&](const Corner& b, const Corner& c) {
+                        if (triangle_depth(c00, b, c, x, y, z))
+                            everywhere.insert({px, py, i, j, z});
+                    };
+                    try_triangle(c10, c11);
+                    try_triangle(c11, c01);
                 }
             }
         }

@@ -37,7 +37,7 @@ double level_of(const Material& m, double ambient, const Vector3& n, const Vecto
 // One flat block with the tangents u and v, in object words of 14 bits and 6 guard bits.
 std::array<Component, 3> flat(const Vector3& u, const Vector3& v) {
     std::array<Component, 3> world{};
-    const auto word = [](double d) { return static_cast<std::int64_t>(std::lround(d * (1 << 20))); };
+    const auto word = [](double d) { return std::int64_t{std::lround(d * (1 << 20))}; };
     for (std::size_t k = 0; k < 3; ++k) {
         world[k].f = {0, word(u[k]), word(v[k]), word(u[k] + v[k])};
     }
@@ -120,8 +120,9 @@ void expect_sphere_levels(double azimuth, double elevation, const Material& mate
             if (disc_lies(camera, sphere, x, y, 0.03 * 92) != Lies::inside) continue;
             const double expected = truth(x, y);
             double change = 0;
-            for (const auto& [dx, dy] : {std::pair{-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}})
-                change = std::max(change, std::abs(truth(x + dx, y + dy) - expected));
+            for (const double dx : {-0.5, 0.5})
+                for (const double dy : {-0.5, 0.5})
+                    change = std::max(change, std::abs(truth(x + dx, y + dy) - expected));
             const double difference = std::abs(stage.intensity_at(px, py) - expected);
             worst = std::max(worst, difference);
             ++pixels;
@@ -134,8 +135,8 @@ void expect_sphere_levels(double azimuth, double elevation, const Material& mate
     EXPECT_GT(pixels, 20000);
     EXPECT_LT(worst_excess, 1) << "at " << worst_x << ", " << worst_y;
     EXPECT_LT(worst, material.specular == 0 ? 2 : 5);
-    std::cout << "[ measured ] view " << azimuth << ", " << elevation << ": levels differ by at most "
-              << worst << ", by " << worst_excess << " beyond the change within the pixel\n";
+    std::cout << "[ measured ] view " << azimuth << ", " << elevation << ": levels differ by "
+              << worst << " at most, by " << worst_excess << " beyond the change within the pixel\n";
 }
 
 TEST(Shading, OfASphereIsAnalyticAtEveryPixelAndAtThePoles) {

@@ -149,7 +149,7 @@ TEST(Sphere, NoPixelIsMissedInAThousandPlacementsByLeaves) {
 }
 
 // Where the matrix is exact, as in the figures' own view, only object words of 2^-14 and the code
-// round; toward the limb the slack shows, 0.022 px of a slope of 3: it always errs to the near side.
+// round; toward the limb the slack shows, 0.022 px of a slope of 3, and errs to the near side.
 TEST(Sphere, DepthsOfTheFiguresOwnView) {
     for (const double within : {0.5, 0.95}) {
         Statistics depth;

@@ -72,7 +72,7 @@ TEST(CorrectForm, MaskDiffersWithLeafSampling) {
                                             correct.buffers.observer.depth);
         const std::size_t n = differing(post.buffers.mask, correct.buffers.mask);
         const auto visible = post.counts.post_process.visible;
-        std::printf("leaf sampling, figure %d: %zu of %zu visible pixels differ between the forms\n",
+        std::printf("leaf sampling, figure %d: %zu of %zu visible pixels differ by form\n",
                     figure, n, static_cast<std::size_t>(visible));
         EXPECT_GT(n, visible / 100);
         EXPECT_LT(n, visible / 10);
@@ -188,7 +188,8 @@ protected:
         raster::ShadingSpec behind = shading;
         behind.light.direction[2] = -behind.light.direction[2];
         const raster::BlockShading lit(facing, shading, material), away(facing, behind, material);
-        for (const Point& p : points) sink.sample(sample(p.shadowed), p.code, p.unlit ? &away : &lit);
+        for (const Point& p : points)
+            sink.sample(sample(p.shadowed), p.code, p.unlit ? &away : &lit);
         const std::size_t a = observer.store.address(5, 5);
         return {observer.depth[a], observer.intensity[a], mask[a]};
     }

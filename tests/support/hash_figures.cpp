@@ -1,4 +1,4 @@
-// Prints a line "buffer hash" for each stage of figures 1 to 6, and for a frame that takes the other
+// Prints a line "buffer hash" for each stage of figures 1 to 6, and for frames that take the other
 // paths: leaf sampling, the correct form, perspective, a point light, 24-bit Z. The core alone, so
 // that tests/guards/compilers.sh can build it by any compiler in a few seconds.
 #include "fixed/fnv.hpp"

@@ -52,7 +52,8 @@ struct Bench {
 
     // The same turn about the vertical axis, on pixel coordinates and Z codes of both frames.
     void make_float_matrix(double bias) {
-        const double angle = -100 * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+        const double angle = -100 * std::numbers::pi / 180;
+        const double c = std::cos(angle), s = std::sin(angle);
         const auto row = [&](std::size_t r, double x, double y, double z, double t) {
             floats.m[r] = {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z),
                            static_cast<float>(t)};
