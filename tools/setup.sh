@@ -45,6 +45,7 @@ build() {
   shift 2
   mkdir -p "$folder"
   log=$folder/build.log
+  echo "building ${folder#"$root"/}"
   if ! { cmake -S "$root" -B "$folder" "$@" && cmake --build "$folder" --target $targets \
     -j "$(nproc)"; } >"$log" 2>&1; then
     cat "$log" >&2

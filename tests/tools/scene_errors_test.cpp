@@ -9,6 +9,9 @@ TEST(SceneErrors, TextThatIsNoToml) {
         {"light = \n",
          "a.toml:1: this is no TOML: Error while parsing key-value pair: expected value, "
          "saw '\\n'"},
+        {"[=]\n",
+         "a.toml:1: this is no TOML: Error while parsing key: expected bare key starting "
+         "character or string delimiter, saw '='"},
         {"[light\n",
          "a.toml:1: this is no TOML: Error while parsing table header: expected ']', saw "
          "'\\n'"},
