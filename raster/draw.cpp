@@ -93,6 +93,7 @@ void BlockWalk::push_patch(const Patch& patch) {
         b.screen = homogeneous_components(words, setup_.matrix, setup_.spec, setup_.object);
     }
     b.level_u = b.level_v = 0;
+    splits_ = 0;
     if (!shades_) return;
     std::array<std::array<std::int64_t, 16>, 3> place{};
     for (std::size_t k = 0; k < 16; ++k) {
@@ -139,10 +140,11 @@ bool BlockWalk::next(ScreenBounds& bounds) {
         if (f == Fate::draw) return true;
         if (f == Fate::outside) continue;
         const bool can_u = b.level_u < deepest_level, can_v = b.level_v < deepest_level;
-        if (!can_u && !can_v) {
+        if ((!can_u && !can_v) || splits_ == greatest_splits) {
             ++counts_.unresolved;
             continue;
         }
+        ++splits_;
         split(f == Fate::split_u ? can_u : !can_v);
     }
     return false;

@@ -41,7 +41,7 @@ struct DrawCounts {
     std::uint64_t patches = 0, blocks = 0;
     std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
     std::uint64_t hidden_blocks = 0;  // left out behind what was drawn before
-    std::uint64_t unresolved = 0;     // dropped at the last level: too large, or across the eye
+    std::uint64_t unresolved = 0;     // dropped at the last level or split
 };
 
 struct DrawSetup {
@@ -54,6 +54,9 @@ struct DrawSetup {
 };
 
 inline constexpr int deepest_level = 24;  // halvings in each direction
+// Splits a patch may take, so that every frame ends: figures need some hundreds. What would need
+// more (a patch through a light's eye, magnified a thousandfold) is dropped and counted.
+inline constexpr std::uint32_t greatest_splits = 1u << 20;
 
 struct StackBlock {
     std::array<Component, 4> screen;  // x, y, z, or X, Y, Z, W
@@ -96,6 +99,7 @@ private:
     bool shades_;
     DrawCounts& counts_;
     std::size_t depth_ = 0;  // blocks on the stack; the popped one lies just above
+    std::uint32_t splits_ = 0;  // of the patch
 };
 
 struct PixelWindow {

@@ -107,7 +107,8 @@ inline std::vector<std::uint8_t> mask_with_noise(const Machine& machine, const N
 }
 
 // The machine's noise for a whole frame, row by row.
-inline std::vector<hw::DitherWords> noise_plane(hw::DitherShape shape, std::int32_t size_q8 = 256) {
+inline std::vector<hw::DitherWords> noise_plane(hw::DitherShape shape,
+                                                std::int32_t size_q8 = 256) {
     const hw::MachineSpec spec;
     hw::Dither dither;
     dither.shape = shape;

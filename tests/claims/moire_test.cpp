@@ -167,13 +167,14 @@ TEST(Controls, ARepeatingGeneratorFails) {
         const Machine machine(with(figure_settings(4), lookup, 64, shape));
         const auto test = [&](const char* what, const Noise& n) {
             const auto mask = mask_with_noise(machine, n);
-            return score(std::string(name(lookup)) + ", " + what, MachineMask{mask, machine.visible})
-                .flatness;
+            const std::string which = std::string(name(lookup)) + ", " + what;
+            return score(which, MachineMask{mask, machine.visible}).flatness;
         };
         // The test's double of the post-process is the post-process, where the noise is.
         EXPECT_TRUE(std::ranges::equal(mask_with_noise(machine, at), machine.buffers().mask));
         EXPECT_GE(test("the machine's noise", at).median, noise);
-        const LocalFlatness rows = test("each row the first", [&](int x, int) { return at(x, 0); });
+        const LocalFlatness rows =
+            test("each row the first", [&](int x, int) { return at(x, 0); });
         const LocalFlatness still = test("the same word", [&](int, int) { return at(0, 0); });
         EXPECT_LE(rows.median, periodic);
         EXPECT_LE(still.median, periodic);

@@ -205,8 +205,8 @@ TEST(Compare, RandomPlacesAgainstTheSlowModel) {
         const LightMap<hw::Depth32> map{light.store, s.machine, s.lookup, s.background};
         const std::int64_t edge = std::int64_t{8} << s.machine.fraction_bits;
         for (int k = 0; k < 60; ++k) {
-            hw::Point p{random.between(-edge - 2, edge + 2), random.between(-edge - 2, edge + 2), 0,
-                        DivideStatus::ok};
+            hw::Point p{random.between(-edge - 2, edge + 2),
+                        random.between(-edge - 2, edge + 2), 0, DivideStatus::ok};
             const auto noise = static_cast<std::int32_t>(edge / 8);
             const hw::DitherWords d{static_cast<std::int32_t>(random.between(-noise, noise)),
                                     static_cast<std::int32_t>(random.between(-noise, noise))};

@@ -67,7 +67,8 @@ TEST(CorrectForm, MaskDiffersWithLeafSampling) {
         const Settings s = figure_settings(figure);
         const Frame<> post(figures.scene(),
                            with_form(s, Form::post_process, raster::Sampling::leaf));
-        const Frame<> correct(figures.scene(), with_form(s, Form::correct, raster::Sampling::leaf));
+        const Frame<> correct(figures.scene(),
+                              with_form(s, Form::correct, raster::Sampling::leaf));
         umbra78::test::expect_equal_buffers("observer_z", 512, post.buffers.observer.depth,
                                             correct.buffers.observer.depth);
         const std::size_t n = differing(post.buffers.mask, correct.buffers.mask);

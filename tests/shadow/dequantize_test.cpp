@@ -94,7 +94,8 @@ double as_double(const Rational& r) {
 }
 
 // Against the slow model, and total coverage against the exact area of the smoothed chains: each
-// of the 16 sub-rows is off by at most a 32nd of a pixel a crossing and half a sub-row at its ends.
+// of the 16 sub-rows is off by at most a 32nd of a pixel a crossing, and half a sub-row at its
+// ends.
 void expect_slow_answer(Picture& p, int passes, const std::string& what) {
     SCOPED_TRACE(what + ", passes " + std::to_string(passes));
     p.dequantize_here(passes);
@@ -156,8 +157,8 @@ TEST(Dequantize, AStraightEdgeIsUnchangedAwayFromItsEnds) {
     }
 }
 
-// A half plane y > p/q x, drawn in whole pixels, comes back as nearly the line itself. Compared
-// with the exact area of the half plane in each pixel that either cuts, away from the frame's edge.
+// A half plane y > p/q x, drawn in whole pixels, comes back as nearly the line itself: compared
+// with its exact area in each pixel that either of them cuts, away from the frame's edge.
 double mean_area_error(const Picture& p, const std::vector<std::uint8_t>& mask, double slope,
                        double offset) {
     double error = 0;
@@ -186,7 +187,7 @@ TEST(Dequantize, ASlantedEdgeBecomesNearlyTheLine) {
                            {1, 3, 6, 0.05}, {1, 1, 4, 0.15}, {1, 2, 4, 0.02}, {1, 5, 4, 0.35},
                            {2, 7, 4, 0.4}, {1, 12, 4, 0.8}}) {
         Picture p(6);
-        // An odd run's stairs lie evenly round the line that passes half a step beside the centres.
+        // An odd run's stairs lie evenly round a line that passes half a step beside centres.
         const double slope = static_cast<double>(s.rise) / s.run;
         const double offset = 10 + (s.run % 2 == 0 ? 0 : 0.5 / s.run);
         p.shade([&](int x, int y) { return y + 0.5 > slope * (x + 0.5) + offset - 1e-9; });
@@ -202,7 +203,8 @@ TEST(Dequantize, ASlantedEdgeBecomesNearlyTheLine) {
 // Round shapes shrink a little: an average of nodes lies inside the curve.
 TEST(Dequantize, ADiscBecomesRounder) {
     struct Disc {
-        double radius, error_at_most, shrinks_at_most;  // as parts of the error before and the area
+        double radius;
+        double error_at_most, shrinks_at_most;  // parts of the error before, of the area
     };
     for (const Disc& disc : {Disc{5.3, 0.85, 0.08}, {12.0, 0.55, 0.015}, {24.7, 0.55, 0.008}}) {
         const double radius = disc.radius;

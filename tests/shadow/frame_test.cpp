@@ -317,8 +317,9 @@ TEST(Frame, Depth32IsDepth16WhereItFits) {
 TEST(Frame, OrderOfPatchesChangesNothing) {
     const FigureScene figures;
     fixed::test::Random random;
+    using raster::Sampling;
     for (const Form form : {Form::post_process, Form::correct})
-        for (const raster::Sampling sampling : {raster::Sampling::centre, raster::Sampling::leaf}) {
+        for (const Sampling sampling : {Sampling::centre, Sampling::leaf}) {
             Settings s = figure_settings(6);
             s.form = form;
             s.sampling = sampling;

@@ -155,7 +155,7 @@ TEST(Golden, MachineMdPublishesTheHashes) {
     }
 }
 
-// All figures share their views, so their stores are the same, and figure 5 is 6 up to the picture.
+// All figures share their views, so their stores are the same; 5 is 6 up to the picture.
 TEST(Golden, FiguresShareTheirStages) {
     const FigureScene figures;
     const Frame<> three(figures.scene(), figure_settings(3));

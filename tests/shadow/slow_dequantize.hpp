@@ -1,9 +1,9 @@
 // An independent model of edge dequantizing: chains are stored, nodes are exact fractions, area
 // is counted cell by cell. Slow, and shares nothing with shadow/dequantize.cpp.
 //
-//   1. Every pixel in shadow has four directed sides, itself on the right hand; those shared by two
-//      pixels cancel. The rest is linked to chains; where two sides leave one corner, the one that
-//      stays with the same pixel is taken.
+//   1. Every pixel in shadow has four directed sides, itself on the right hand; those shared by
+//      two pixels cancel. The rest is linked to chains; where two sides leave one corner, the one
+//      that stays with the same pixel is taken.
 //   2. A pass replaces every free node by (previous + 2 node + next) / 4, all at once.
 //   3. Sub-row r of a picture row counts the sixteenths of a pixel that lie to the right of the
 //      chain at height (r + 1/2) / 16: a crossing is rounded half up to a sixteenth.
