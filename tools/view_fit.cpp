@@ -21,10 +21,8 @@ struct Place {
 };
 
 std::int64_t along(const raster::Axis& axis, const World& from, const World& to) {
-    const std::int64_t sum = axis[0] * (std::int64_t{to.x} - from.x) +
-                             axis[1] * (std::int64_t{to.y} - from.y) +
-                             axis[2] * (std::int64_t{to.z} - from.z);
-    return sum;
+    return axis[0] * (std::int64_t{to.x} - from.x) + axis[1] * (std::int64_t{to.y} - from.y) +
+           axis[2] * (std::int64_t{to.z} - from.z);
 }
 
 Place place(const raster::View& view, const World& point) {

@@ -2,6 +2,7 @@
 // new ends there too. Under AddressSanitizer, which has its own malloc, its hook counts.
 #include "shadow/frame.hpp"
 #include "shadow/paper_figures.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +15,6 @@
 namespace {
 std::atomic<long> calls{0};
 }
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1  // as g++ says it
-#endif
-#endif
 
 #ifdef __SANITIZE_ADDRESS__
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, size_t),

@@ -565,8 +565,10 @@ def main():
     parser.add_argument("--machine", type=pathlib.Path, help="MACHINE.md",
                         default=pathlib.Path(__file__).parent / "../../hw/MACHINE.md")
     options = parser.parse_args()
-    published = dict(re.findall(r"\| (\w+) \| `(\w+:\d+x\d+:fnv1a64:[0-9a-f]{16})` \|",
-                                options.machine.read_text(encoding="utf-8")))
+    # The figures' rows have three columns before the buffer's name, the variants' one.
+    row = r"^\|[^|]*\|[^|]*\|[^|]*\| (\w+) \| `(\w+:\d+x\d+:fnv1a64:[0-9a-f]{16})` \|"
+    text = options.machine.read_text(encoding="utf-8")
+    published = dict(re.findall(row, text, re.MULTILINE))
     good = True
     for name, size, values in figures():
         found = published_hash(values, size)

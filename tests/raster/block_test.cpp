@@ -1,5 +1,6 @@
 // Catmull's split against de Casteljau in exact integers, and the bounds against dense samples.
 #include "tests/raster/exact_surface.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ TEST(Block, CornersOfAPatchAreItsEndControlPoints) {
 TEST(Block, SplittingStaysWithinItsErrorBound) {
     Random random;
     double worst = 0, worst_share = 0;
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < umbra78::test::effort(20000); ++n) {
         const Control p = random_control(random, std::int64_t{1} << random.between(4, 25));
         Component c = component_from_bezier(p);
         ErrorBound bound;
@@ -79,7 +80,7 @@ TEST(Block, SplittingStaysWithinItsErrorBound) {
 TEST(Block, BoundsHoldForDenseSamples) {
     Random random;
     constexpr int dense = 16, n = 32 * dense;  // a step of the whole patch is 1/n
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < umbra78::test::effort(300); ++trial) {
         const Control p = random_control(random, std::int64_t{1} << random.between(8, 25));
         Component c = component_from_bezier(p);
         ErrorBound error;

