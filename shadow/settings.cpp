@@ -10,6 +10,7 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 7> rounding_names{
     "floor", "ceiling", "to_zero", "half_up", "half_to_zero", "half_away", "half_even"};
 constexpr std::array<std::string_view, 2> divide_names{"exact", "round_first"};
+constexpr std::array<std::string_view, 2> divider_names{"serial", "pipelined"};
 constexpr std::array<std::string_view, 2> sampling_names{"leaf", "centre"};
 constexpr std::array<std::string_view, 2> registration_names{"centre", "index"};
 constexpr std::array<std::string_view, 2> lookup_names{"nearest", "bilinear"};
@@ -95,16 +96,24 @@ constexpr std::array table{
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
         "test visible pixels behind the picture, or each generated point before it is shaded"),
+    whole<UMBRA78_ACCESS(timing.clock_ns)>("clock_ns", "ns", 50, 10000,
+                                           "a cycle; no bit depends on this or what follows"),
+    whole<UMBRA78_ACCESS(timing.multiply_ns)>("multiply_ns", "ns", 1, 10000,
+                                              "a 16 x 16 product; more than a clock: more stages"),
+    whole<UMBRA78_ACCESS(timing.add_ns)>("add_ns", "ns", 1, 10000,
+                                         "an addition as wide as the accumulator"),
+    whole<UMBRA78_ACCESS(timing.register_ns)>("register_ns", "ns", 0, 40,
+                                              "a stage's register, out of every clock"),
+    choice<UMBRA78_ACCESS(timing.divider)>(
+        "divider", divider_names,
+        "one, with a quotient bit a cycle; or three, cut into stages: a point a cycle"),
+    whole<UMBRA78_ACCESS(timing.noise_bits)>("noise_bits", "bits", 1, 1024,
+                                             "the noise registers advance so far in a cycle"),
+    whole<UMBRA78_ACCESS(timing.light_banks)>(
+        "light_banks", "banks", 1, 4, "light-map words read in a cycle: 1, or 2 x 2 texels' 4"),
 };
 
 #undef UMBRA78_ACCESS
-
-constexpr std::array<Profile, 4> profile_table{{
-    {"affine16", "16-bit coefficients, one row a cycle: four multipliers", 16, 4},
-    {"affine16x1", "16-bit coefficients, one multiplier-accumulator", 16, 1},
-    {"affine16x16", "16-bit coefficients, sixteen multipliers", 16, 16},
-    {"perspective24", "24-bit coefficients in two passes, for perspective views", 24, 4},
-}};
 
 }  // namespace
 
@@ -116,6 +125,9 @@ const Setting* find_setting(std::string_view key) {
     return nullptr;
 }
 
-std::span<const Profile> profiles() { return profile_table; }
+bool closes(const Settings& settings) {
+    return hw::check(settings.machine) == hw::SpecStatus::ok &&
+           hw::check(settings.timing) == hw::TimingStatus::ok;
+}
 
 }  // namespace umbra78::shadow

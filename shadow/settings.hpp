@@ -6,6 +6,7 @@
 
 #include "hw/machine_spec.hpp"
 #include "hw/noise_source.hpp"
+#include "hw/timing.hpp"
 #include "raster/sampling.hpp"
 
 #include <cstdint>
@@ -25,6 +26,7 @@ enum class Form : std::uint8_t { post_process, correct };
 
 struct Settings {
     hw::MachineSpec machine{};
+    hw::Timing timing{};
     raster::Sampling sampling = raster::Sampling::centre;
     Registration registration = Registration::centre;
     Lookup lookup = Lookup::nearest;
@@ -57,11 +59,7 @@ struct Setting {
 std::span<const Setting> settings_table();
 const Setting* find_setting(std::string_view key);
 
-// A profile sets several settings at once; `profile` itself is no setting of the machine.
-struct Profile {
-    std::string_view name, meaning;
-    int coefficient_bits, multipliers;
-};
-std::span<const Profile> profiles();
+// Whether a machine can be built with these settings (the machine's widths, the parts' times).
+bool closes(const Settings& settings);
 
 }  // namespace umbra78::shadow

@@ -63,7 +63,7 @@ void write_contact_sheet(const Path& path, const FigureSet& set, FileSet& files)
 }
 
 ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total_ms) {
-    ordered_json json{{"size_px", set.size_px()}, {"cycle_ns", cycle_ns}};
+    ordered_json json{{"size_px", set.size_px()}, {"cycle_ns", set.clock_ns()}};
     for (const Figure& f : set.figures()) {
         json["figures"].push_back({{"figure", f.number},
                                    {"shows", f.shows},
@@ -72,7 +72,7 @@ ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total
                                    {"hash", f.hash},
                                    {"golden", goldens.at(f.golden)},
                                    {"transform_cycles", f.transform_cycles},
-                                   {"simulated_ms", simulated_ms(f.transform_cycles)},
+                                   {"simulated_ms", simulated_ms(f.transform_cycles, set.clock_ns())},
                                    {"host_ms", f.host_ms},
                                    {"bias", to_json(f.bias)},
                                    {"error", to_json(f.error)},
@@ -89,11 +89,11 @@ void print_rows(const FigureSet& set, const Statuses& goldens) {
     for (const Figure& f : set.figures())
         fmt::print("{:<4}{:<33}{:<39}{:<8}{:>9}{:>8.1f}{:>9.1f}{:>8}{:>8}\n", f.number, f.shows,
                    f.hash, goldens.at(f.golden), f.transform_cycles,
-                   simulated_ms(f.transform_cycles), f.host_ms, percent(false_shadow(f)),
+                   simulated_ms(f.transform_cycles, set.clock_ns()), f.host_ms, percent(false_shadow(f)),
                    percent(false_light(f)));
     fmt::print("\ncycles: of the transform unit, from scene to figure, at {} ns each; host ms: the "
                "same way here.\nFS, FL: false shadow of the pixels lit in truth, false light of "
-               "those in shadow; mask >= 128 is shadow.\n", cycle_ns);
+               "those in shadow; mask >= 128 is shadow.\n", set.clock_ns());
     for (const Figure& f : set.figures()) {
         if (!f.error || f.number == 6) continue;  // figure 6 is figure 5's mask
         fmt::print("Fig. {}: bias {}; outside one light texel of the edge FS {} %, FL {} %; "

@@ -88,7 +88,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
     fmt::print("bias        {}\n", print(bias_report(rendered.scene.light, job)));
     const MachineCost cost = job.cost();
     fmt::print("machine     {} transform-unit cycles, {:.1f} ms at {} ns a cycle\n",
-               cost.transform_cycles(), simulated_ms(cost.transform_cycles()), cycle_ns);
+               cost.transform_cycles(), cost.transform_ms(), cost.clock_ns);
     const StageTimes& t = job.times();
     fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
                "{:.1f}\n",

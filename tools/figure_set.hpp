@@ -42,6 +42,7 @@ public:
     const SceneTruth& truth() const { return truth_; }
     const std::vector<std::uint8_t>& visible() const { return visible_; }
     int size_px() const { return scene_.settings.machine.size_px(); }
+    int clock_ns() const { return scene_.settings.timing.clock_ns; }
 
 private:
     void add(int number, std::string shows, std::vector<std::uint8_t> picture,

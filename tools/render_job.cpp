@@ -99,7 +99,8 @@ MachineCost RenderJob::cost() const {
         return control_points * scene_.patches.size() *
                static_cast<std::uint64_t>(unit.cycles_per_point);
     };
-    return {drawing(matrices_.world_to_light), drawing(matrices_.world_to_observer),
+    return {settings_.timing.clock_ns, drawing(matrices_.world_to_light),
+            drawing(matrices_.world_to_observer),
             shadow::post_process_cycles(counts_.post_process.visible, settings_,
                                         matrices_.observer_to_light.affine)};
 }

@@ -24,24 +24,22 @@ struct StageTimes {
     }
 };
 
-// An assumption: a 16 x 16 multiply-accumulate of a TDC1010J-class part took 155 to 165 ns, and
-// its registers some more.
-inline constexpr double cycle_ns = 200;
+constexpr double simulated_ms(std::uint64_t cycles, int clock_ns) {
+    return static_cast<double>(cycles) * clock_ns * 1e-6;
+}
 
 // What the transform unit did, in its cycles. Drawing transforms the 16 control points of each
 // patch; subdivision by adds and shifts has no cycle count yet.
 struct MachineCost {
+    int clock_ns = 0;
     std::uint64_t light_cycles = 0, observer_cycles = 0;
     shadow::PostProcessCycles post_process;  // in the correct form of every generated point
 
     std::uint64_t transform_cycles() const {
         return light_cycles + observer_cycles + post_process.transform;
     }
+    double transform_ms() const { return simulated_ms(transform_cycles(), clock_ns); }
 };
-constexpr double simulated_ms(std::uint64_t cycles) {
-    return static_cast<double>(cycles) * cycle_ns * 1e-6;
-}
-
 // A frame's planes. Z is 16 or 32 bits a word, the others are 8.
 enum class Plane : std::uint8_t {
     observer_z,

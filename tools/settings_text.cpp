@@ -1,6 +1,7 @@
 #include "tools/settings_text.hpp"
 
 #include "fixed/decimal.hpp"
+#include "shadow/profiles.hpp"
 #include "tools/markdown.hpp"
 #include "tools/scene_reader.hpp"
 
@@ -25,14 +26,6 @@ std::int64_t read(const Setting& setting, const TomlNode& node, const std::strin
     return read_number(node, called, {setting.fraction, setting.least, setting.most});
 }
 
-void apply_profile(std::string_view name, Settings& settings) {
-    for (const shadow::Profile& profile : shadow::profiles()) {
-        if (profile.name != name) continue;
-        settings.machine.coefficient_bits = profile.coefficient_bits;
-        settings.machine.multipliers = profile.multipliers;
-    }
-}
-
 std::int64_t default_of(const Setting& setting) { return setting.get(Settings{}); }
 
 ordered_json json_value(const Setting& setting, std::int64_t word) {
@@ -52,6 +45,11 @@ std::string print(const Setting& setting, std::int64_t word) {
     return {text.data(), static_cast<std::size_t>(length)};
 }
 
+std::string print_source(const shadow::ProfileValue& value) {
+    const bool assumed = value.confidence == shadow::Confidence::assumed;
+    return fmt::format("{}{}", assumed ? "assumed: " : "", value.source);
+}
+
 std::string print_range(const Setting& setting) {
     if (setting.kind == SettingKind::choice)
         return fmt::format("{}", fmt::join(setting.names, ", "));
@@ -66,14 +64,14 @@ void apply_settings(const TomlNode& table, Settings& settings) {
 
     for (const TomlNode& node : table.children)
         if (node.key == "profile")
-            apply_profile(profiles[static_cast<std::size_t>(
+            shadow::apply(shadow::profiles()[static_cast<std::size_t>(
                               read_choice(node, in.called("profile"), profiles))],
                           settings);
     for (const TomlNode& node : table.children) {
         const Setting* setting = shadow::find_setting(node.key);
         if (!setting) continue;
         setting->set(settings, read(*setting, node, in.called(node.key)));
-        if (hw::check(settings.machine) != hw::SpecStatus::ok)  // a width with gaps in its range
+        if (!shadow::closes(settings))  // a width with gaps in its range
             fail(node, fmt::format("{} is {}, which the machine cannot be built with ({})",
                                    in.called(node.key), node.text, setting->meaning));
     }
@@ -87,7 +85,7 @@ Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool per
     };
     Settings settings;
     if (perspective && !given("profile") && !given("coefficient_bits"))
-        apply_profile("perspective24", settings);
+        shadow::apply(*shadow::find_profile("perspective24"), settings);
     apply_settings(first, settings);
     apply_settings(overrides, settings);
     return settings;
@@ -103,7 +101,7 @@ std::string settings_help() {
     std::vector<std::string_view> names;
     for (const shadow::Profile& profile : shadow::profiles()) names.push_back(profile.name);
     line("profile", fmt::format("{}", fmt::join(names, ", ")),
-         "sets coefficient_bits and multipliers, before the other keys", "");
+         "a machine of the time: sets some of the keys below, before the others", "");
     for (const Setting& s : shadow::settings_table())
         line(s.key, fmt::format("{}{}{}", print_range(s), s.unit.empty() ? "" : " ", s.unit),
              s.meaning, fmt::format("default {}", print(s, default_of(s))));
@@ -115,11 +113,13 @@ std::string settings_markdown() {
     for (const Setting& s : shadow::settings_table())
         rows.push_back({fmt::format("`{}`", s.key), std::string(s.unit), print_range(s),
                         print(s, default_of(s)), std::string(s.meaning)});
-    std::vector<std::vector<std::string>> named{
-        {"profile", "coefficient_bits", "multipliers", "meaning"}};
-    for (const shadow::Profile& p : shadow::profiles())
-        named.push_back({fmt::format("`{}`", p.name), fmt::format("{}", p.coefficient_bits),
-                         fmt::format("{}", p.multipliers), std::string(p.meaning)});
+    std::vector<std::vector<std::string>> named{{"profile", "sets", "to", "source"}};
+    for (const shadow::Profile& p : shadow::profiles()) {
+        named.push_back({fmt::format("`{}`", p.name), "", "", std::string(p.meaning)});
+        for (const shadow::ProfileValue& v : p.values)
+            named.push_back({"", fmt::format("`{}`", v.key),
+                             print(*shadow::find_setting(v.key), v.word), print_source(v)});
+    }
     return markdown_table(rows) + "\n" + markdown_table(named);
 }
 
@@ -140,11 +140,15 @@ ordered_json settings_json() {
         row["default"] = json_value(s, default_of(s));
         row["meaning"] = s.meaning;
     }
-    for (const shadow::Profile& p : shadow::profiles())
-        profiles.push_back({{"name", p.name},
-                            {"coefficient_bits", p.coefficient_bits},
-                            {"multipliers", p.multipliers},
-                            {"meaning", p.meaning}});
+    for (const shadow::Profile& p : shadow::profiles()) {
+        ordered_json values = ordered_json::array();
+        for (const shadow::ProfileValue& v : p.values)
+            values.push_back({{"key", v.key},
+                              {"value", json_value(*shadow::find_setting(v.key), v.word)},
+                              {"assumed", v.confidence == shadow::Confidence::assumed},
+                              {"source", v.source}});
+        profiles.push_back({{"name", p.name}, {"meaning", p.meaning}, {"values", values}});
+    }
     return {{"settings", settings}, {"profiles", profiles}};
 }
 

@@ -1,7 +1,7 @@
 // Settings as text: read from a scene file or --set, and printed, all from the one table.
 #pragma once
 
-#include "shadow/settings.hpp"
+#include "shadow/profiles.hpp"
 #include "tools/toml_text.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,6 +13,7 @@ namespace umbra78::tools {
 
 // "bilinear", "192", "0.3515625": exact.
 std::string print(const shadow::Setting&, std::int64_t word);
+std::string print_source(const shadow::ProfileValue&);  // "assumed: ...", or the source
 std::string print_range(const shadow::Setting&);  // "4 .. 12", "nearest | bilinear"
 
 // Applies a table's `profile` first and then its keys in their order. Throws SceneError.

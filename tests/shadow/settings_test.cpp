@@ -1,4 +1,5 @@
 // The one table of settings: complete, consistent, and its accessors reach what they name.
+#include "shadow/profiles.hpp"
 #include "shadow/settings.hpp"
 
 #include <gtest/gtest.h>
@@ -18,16 +19,19 @@ using fixed::Rounding;
 // Every member of Settings, by value. A new member no longer fits the bindings, which is a
 // compile error here until it is named, and then a failure below until the table names it too.
 auto members(const Settings& s) {
-    const auto& [machine, sampling, registration, lookup, background, bias_q16, bias_unit, dither,
+    const auto& [machine, timing, sampling, registration, lookup, background, bias_q16, bias_unit, dither,
                  dequantize_passes, low_pass_passes, ambient_q8, density_q8, form] = s;
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, transform_rounding,
                  coefficient_rounding, depth_rounding, divide_order] = machine;
     const auto& [shape, size_q8, seed] = dither;
+    const auto& [clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits, light_banks] =
+        timing;
     return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                            transform_rounding, coefficient_rounding, depth_rounding, divide_order,
                            sampling, registration, lookup, background, bias_q16, bias_unit, shape,
                            size_q8, seed, dequantize_passes, low_pass_passes, ambient_q8,
-                           density_q8, form);
+                           density_q8, form, clock_ns, multiply_ns, add_ns, register_ns, divider,
+                           noise_bits, light_banks);
 }
 constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
 
@@ -119,7 +123,10 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
         {"ambient", 77},        {"density", 154},
-        {"form", 0}};
+        {"form", 0},            {"clock_ns", 200},
+        {"multiply_ns", 160},   {"add_ns", 60},
+        {"register_ns", 20},    {"divider", 0},
+        {"noise_bits", 192},    {"light_banks", 1}};
     EXPECT_EQ(expected.size(), settings_table().size());
     for (const Setting& row : settings_table()) {
         const auto at = expected.find(row.key);
@@ -165,6 +172,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("dither", "triangular", hw::DitherShape::triangular));
     all.push_back(named("dither", "normal4", hw::DitherShape::normal4));
     all.push_back(named("dither", "normal", hw::DitherShape::normal));
+    all.push_back(named("divider", "serial", hw::Divider::serial));
+    all.push_back(named("divider", "pipelined", hw::Divider::pipelined));
     all.push_back(named("form", "post_process", Form::post_process));
     all.push_back(named("form", "correct", Form::correct));
 
@@ -198,16 +207,40 @@ TEST(SettingsTable, RangesAreTheMachines) {
     }
 }
 
+// What the machine's checks refuse within the table's ranges.
+TEST(SettingsTable, GapsAreRefused) {
+    Settings s;
+    EXPECT_TRUE(closes(s));
+    for (const int banks : {2, 3}) {
+        s.timing.light_banks = banks;
+        EXPECT_FALSE(closes(s)) << banks;
+    }
+    s = {};
+    s.timing.clock_ns = s.timing.register_ns;
+    EXPECT_FALSE(closes(s));
+    s = {};
+    s.machine.multipliers = 3;
+    EXPECT_FALSE(closes(s));
+}
+
 TEST(Profiles, AreMachinesThatClose) {
     std::set<std::string_view> names;
     for (const Profile& p : profiles()) {
         EXPECT_TRUE(names.insert(p.name).second) << p.name;
         EXPECT_FALSE(p.meaning.empty()) << p.name;
         EXPECT_EQ(find_setting(p.name), nullptr) << p.name;
-        hw::MachineSpec spec;
-        spec.coefficient_bits = p.coefficient_bits;
-        spec.multipliers = p.multipliers;
-        EXPECT_EQ(hw::check(spec), hw::SpecStatus::ok) << p.name;
+        Settings s;
+        apply(p, s);
+        EXPECT_TRUE(closes(s)) << p.name;
+        for (const ProfileValue& v : p.values) {
+            const Setting* row = find_setting(v.key);
+            ASSERT_NE(row, nullptr) << p.name << " " << v.key;
+            EXPECT_GE(v.word, row->least) << p.name << " " << v.key;
+            EXPECT_LE(v.word, row->most) << p.name << " " << v.key;
+            EXPECT_EQ(row->get(s), v.word) << p.name << " " << v.key;
+            EXPECT_FALSE(v.source.empty()) << p.name << " " << v.key;
+        }
+        EXPECT_EQ(find_profile(p.name), &p);
     }
     EXPECT_TRUE(names.contains("affine16") && names.contains("perspective24"));
 }

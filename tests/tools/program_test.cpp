@@ -1,4 +1,5 @@
 // The program as a user runs it: its messages and exit codes, and what it leaves behind.
+#include "shadow/profiles.hpp"
 #include "tools/figure_set.hpp"
 
 #include <gtest/gtest.h>

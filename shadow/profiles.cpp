@@ -1,0 +1,68 @@
+#include "shadow/profiles.hpp"
+
+#include "fixed/trap.hpp"
+
+#include <array>
+
+namespace umbra78::shadow {
+namespace {
+
+using enum Confidence;
+
+constexpr std::string_view chip =
+    "TRW MPY-16/TDC1010J class 16 x 16 multiplier(-accumulator), sold from 1976: 155 to 165 ns "
+    "from memory, not from a data sheet";
+constexpr std::string_view ours = "this project's choice";
+
+constexpr std::array affine16{
+    ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
+    ProfileValue{"multipliers", 4, assumed, "a row a clock, as in Evans & Sutherland's units"},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+};
+constexpr std::array affine16x1{
+    ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
+    ProfileValue{"multipliers", 1, assumed, "one multiplier-accumulator chip, a product a clock"},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+};
+constexpr std::array affine16x16{
+    ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
+    ProfileValue{"multipliers", 16, assumed, "the whole matrix: a point a clock"},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+    ProfileValue{"divider", 1, assumed, "three in stages keep up with a point a clock"},
+    ProfileValue{"light_banks", 4, assumed, "2 x 2 interleaved: bilinear lookup in a clock"},
+};
+constexpr std::array perspective24{
+    ProfileValue{"coefficient_bits", 24, assumed,
+                 "two passes of a 16 x 16 multiplier; 16 bits leave 2 px of error at far/near 100"},
+    ProfileValue{"multipliers", 4, assumed, ours},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+    ProfileValue{"divider", 0, published,
+                 "a bit a clock, as in the clipping divider of Sproull & Sutherland 1968"},
+};
+
+constexpr std::array<Profile, 4> table{{
+    {"affine16", "16-bit coefficients, one row a clock: four multipliers", affine16},
+    {"affine16x1", "16-bit coefficients, one multiplier-accumulator", affine16x1},
+    {"affine16x16", "16-bit coefficients, sixteen multipliers", affine16x16},
+    {"perspective24", "24-bit coefficients in two passes, for perspective views", perspective24},
+}};
+
+}  // namespace
+
+std::span<const Profile> profiles() { return table; }
+
+const Profile* find_profile(std::string_view name) {
+    for (const Profile& p : table)
+        if (p.name == name) return &p;
+    return nullptr;
+}
+
+void apply(const Profile& profile, Settings& settings) {
+    for (const ProfileValue& v : profile.values) {
+        const Setting* setting = find_setting(v.key);
+        fixed::require(setting != nullptr, "profile: no such setting");
+        setting->set(settings, v.word);
+    }
+}
+
+}  // namespace umbra78::shadow
