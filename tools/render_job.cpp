@@ -95,9 +95,9 @@ void RenderJob::render() {
 
 MachineCost RenderJob::cost() const {
     const auto drawing = [&](const hw::MatrixWords& matrix) {
-        const hw::UnitCost unit = hw::transform_cost(settings_.machine, matrix.affine);
         return control_points * scene_.patches.size() *
-               static_cast<std::uint64_t>(unit.cycles_per_point);
+               static_cast<std::uint64_t>(
+                   hw::transform_cycles(settings_.machine, matrix.affine));
     };
     return {settings_.timing.clock_ns, drawing(matrices_.world_to_light),
             drawing(matrices_.world_to_observer),

@@ -1,0 +1,47 @@
+#include "shadow/clocked_definitions.hpp"
+
+#include <algorithm>
+
+namespace umbra78::shadow {
+
+PostProcessPlan::PostProcessPlan(const Settings& s, const hw::MatrixWords& matrix)
+    : transform(s.machine, s.timing, matrix), divide(s.machine, s.timing, matrix), lookup(s),
+      divides(!matrix.affine), dithers(s.dither.shape != hw::DitherShape::none) {
+    read_cycles = dithers ? hw::ClockedNoise::cycles_per_pixel(s.dither, s.timing) : 1;
+    const int interpolate = lookup.blends ? lookup.interpolate_cycles() : 0;
+    slot_cycles = std::max({transform.cycles(), divides ? divide.cycles() : 1,
+                            lookup.fetch_cycles(), interpolate, 1});
+    latency = transform.latency() + (divides ? divide.latency() : 0) + lookup.fetch_cycles() +
+              interpolate + 3;  // place, compare, write
+}
+
+template <class Depth>
+Schedule schedule(std::span<const Depth> depth, std::uint32_t background, int read_cycles,
+                  int slot_cycles) {
+    Schedule s;
+    s.pixels = depth.size();
+    const auto p = static_cast<std::uint64_t>(read_cycles);
+    const auto slot = static_cast<std::uint64_t>(slot_cycles);
+    const auto none = static_cast<Depth>(background);
+    std::uint64_t gap = 1;  // pixels from the one let go last to this one
+    for (const Depth code : depth) {
+        if (code != none) {
+            const std::uint64_t reading = p * gap;
+            s.last_issue += s.visible == 0 ? reading - 1 : std::max(slot, reading);
+            ++s.visible;
+            gap = 0;
+        }
+        ++gap;
+    }
+    s.trailing = p * (gap - 1);
+    return s;
+}
+
+#define UMBRA78_CLOCKED(Depth)                                                                \
+    template Schedule schedule(std::span<const Depth>, std::uint32_t, int, int);              \
+    template class ClockedPostProcess<Depth>;
+UMBRA78_CLOCKED(hw::Depth16)
+UMBRA78_CLOCKED(hw::Depth32)
+#undef UMBRA78_CLOCKED
+
+}  // namespace umbra78::shadow
