@@ -20,25 +20,24 @@ ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const hw::FrameStore<Depth>&
       pixels_(observer.depth.size()), since_issue_(plan_.slot_cycles) {
     std::fill(mask_.begin(), mask_.end(), mask_lit);
     plan_.transform.add_stages(chain_);
-    name_stages(StageKind::transform, 0);
+    name_steps(StageKind::transform, 0);
     if (plan_.divides) {
         const int from = chain_.stages();
         plan_.divide.add_stages(chain_);
-        name_stages(StageKind::divide, from);
+        name_steps(StageKind::divide, from);
     }
-    const auto add = [&](StageKind kind, const char* name, int cycles) {
-        name_stages(kind, chain_.add(name, cycles));
-    };
-    add(StageKind::place, "place", 1);
-    add(StageKind::fetch, "fetch", plan_.lookup.fetch_cycles());
-    if (plan_.lookup.blends)
-        add(StageKind::interpolate, "interpolate", plan_.lookup.interpolate_cycles());
-    add(StageKind::compare, "compare", 1);
-    add(StageKind::write, "write", 1);
+    const int place = chain_.stages();
+    add_lookup_stages(chain_, plan_.lookup);
+    const bool blends = plan_.lookup.blends;
+    name_stage(place, StageKind::place);
+    name_stage(place + 1, StageKind::fetch);
+    if (blends) name_stage(place + 2, StageKind::interpolate);
+    name_stage(place + 2 + (blends ? 1 : 0), StageKind::compare);
+    name_stage(chain_.add("write"), StageKind::write);
 }
 
 template <class Depth, class Rule>
-void ClockedPostProcess<Depth, Rule>::name_stages(StageKind kind, int from) {
+void ClockedPostProcess<Depth, Rule>::name_steps(StageKind kind, int from) {
     int cycle = 0;
     for (int k = from; k < chain_.stages(); ++k) {
         kind_[static_cast<std::size_t>(k)] = kind;

@@ -43,6 +43,14 @@ private:
     int interpolate_cycles_;
 };
 
+template <class Rule>
+void add_lookup_stages(hw::Chain<Rule>& chain, const LookupPlan& plan) {
+    chain.add("place");
+    chain.add("fetch", plan.fetch_cycles());
+    if (plan.blends) chain.add("interpolate", plan.interpolate_cycles());
+    chain.add("compare");
+}
+
 struct LookupRegisters {
     std::int64_t x = 0, y = 0, code = 0;  // dithered; the Z code to compare
     bool outside = false;                 // lit without a look

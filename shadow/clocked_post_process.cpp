@@ -15,25 +15,38 @@ PostProcessPlan::PostProcessPlan(const Settings& s, const hw::MatrixWords& matri
               interpolate + 3;  // place, compare, write
 }
 
+// A chunk that is all background, or all visible, is one step.
 template <class Depth>
 Schedule schedule(std::span<const Depth> depth, std::uint32_t background, int read_cycles,
                   int slot_cycles) {
     Schedule s;
     s.pixels = depth.size();
     const auto p = static_cast<std::uint64_t>(read_cycles);
-    const auto slot = static_cast<std::uint64_t>(slot_cycles);
+    const std::uint64_t slot = std::max(static_cast<std::uint64_t>(slot_cycles), p);
     const auto none = static_cast<Depth>(background);
-    std::uint64_t gap = 1;  // pixels from the one let go last to this one
-    for (const Depth code : depth) {
-        if (code != none) {
-            const std::uint64_t reading = p * gap;
-            s.last_issue += s.visible == 0 ? reading - 1 : std::max(slot, reading);
-            ++s.visible;
-            gap = 0;
+    std::uint64_t gap = 0;  // background pixels behind the one let go last
+    const auto let_go = [&] {
+        const std::uint64_t reading = p * (gap + 1);
+        s.last_issue += s.visible == 0 ? reading - 1 : std::max(slot, reading);
+        ++s.visible;
+        gap = 0;
+    };
+    constexpr std::size_t chunk = 32;
+    for (std::size_t k = 0; k < depth.size(); k += chunk) {
+        const std::span piece = depth.subspan(k, std::min(chunk, depth.size() - k));
+        std::uint32_t visible = 0;
+        for (const Depth code : piece) visible += code != none;
+        if (visible == 0) {
+            gap += piece.size();
+        } else if (visible == piece.size()) {
+            let_go();
+            s.last_issue += slot * (visible - 1);
+            s.visible += visible - 1;
+        } else {
+            for (const Depth code : piece) code != none ? let_go() : void(++gap);
         }
-        ++gap;
     }
-    s.trailing = p * (gap - 1);
+    s.trailing = p * gap;
     return s;
 }
 

@@ -137,7 +137,9 @@ public:
     Account account() const;  // when done
 
 private:
-    void name_stages(StageKind kind, int from);
+    // Stages `from` on share a unit's steps; or a stage is one by itself.
+    void name_steps(StageKind kind, int from);
+    void name_stage(int stage, StageKind kind) { kind_[static_cast<std::size_t>(stage)] = kind; }
     void work(int stage, int cycle, Flight& f);
     void finish_transform(Flight& f);
     void finish_divide(Flight& f);
