@@ -96,7 +96,8 @@ const std::vector<std::int32_t> mantissas{
     -(1 << 27) + 1,          // the least normalised
     -(1 << 27),              // -1: a mantissa the two's complement has and no result is given
 };
-const std::vector<int> exponents{0, 1, 2, 26, 27, 28, 484, 485, 511, 512, 513, 540, 1000, 1022, 1023};
+const std::vector<int> exponents{0,   1,   2,   26,  27,  28,   484, 485,
+                                 511, 512, 513, 540, 1000, 1022, 1023};
 
 std::vector<Float38> boundary() {
     std::vector<Float38> all;
@@ -135,7 +136,8 @@ TEST(Float38, EveryAlignmentAgreesWithTheModel) {
     for (int apart = 0; apart <= 70; ++apart) {
         for (const std::int32_t m : mantissas) {
             for (const std::int32_t n : mantissas) {
-                const Float38 a = Float38::from_parts(m, 600), b = Float38::from_parts(n, 600 - apart);
+                const Float38 a = Float38::from_parts(m, 600);
+                const Float38 b = Float38::from_parts(n, 600 - apart);
                 expect_all(a, b);
                 expect_all(b, a);
             }
@@ -160,7 +162,8 @@ TEST(Float38, EveryHostWordFloatsExactlyAndComesBack) {
 TEST(Float38, FixRoundsConvergentlyOrTowardZero) {
     for (std::int32_t w = 4 * INT16_MIN; w <= 4 * INT16_MAX + 3; ++w) {
         const Float38 f = Float38::from_scaled(w, -2);
-        const auto nearest = static_cast<std::int64_t>(test::model_round(w, 4, Rounding::half_even));
+        const auto nearest =
+            static_cast<std::int64_t>(test::model_round(w, 4, Rounding::half_even));
         ASSERT_EQ(f.fix(16), nearest <= 32767 ? nearest : 32767) << w;
         ASSERT_EQ(f.fix(16, Rounding::to_zero), w / 4) << w;
     }
