@@ -19,9 +19,9 @@ using fixed::Rounding;
 // Every member of Settings, by value. A new member no longer fits the bindings, which is a
 // compile error here until it is named, and then a failure below until the table names it too.
 auto members(const Settings& s) {
-    const auto& [machine, timing, sampling, registration, lookup, background, bias_q16, bias_unit, dither,
-                 dequantize_passes, low_pass_passes, ambient_q8, density_q8, form, arithmetic,
-                 array_memory] = s;
+    const auto& [machine, timing, sampling, registration, lookup, background, bias_q16, bias_unit,
+                 dither, dequantize_passes, low_pass_passes, ambient_q8, density_q8, form,
+                 arithmetic, array_memory] = s;
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, transform_rounding,
                  coefficient_rounding, depth_rounding, divide_order] = machine;
     const auto& [shape, size_q8, seed] = dither;
