@@ -89,6 +89,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
     const MachineCost cost = job.cost();
     fmt::print("machine     {} transform-unit cycles, {:.1f} ms at {} ns a cycle\n",
                cost.transform_cycles(), cost.transform_ms(), cost.clock_ns);
+    if (cost.array) fmt::print("{}", print(*cost.array, cost.clock_ns));
     const StageTimes& t = job.times();
     fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
                "{:.1f}\n",

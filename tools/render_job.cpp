@@ -99,10 +99,16 @@ MachineCost RenderJob::cost() const {
         return control_points * scene_.patches.size() *
                static_cast<std::uint64_t>(unit.cycles_per_point);
     };
-    return {settings_.timing.clock_ns, drawing(matrices_.world_to_light),
-            drawing(matrices_.world_to_observer),
-            shadow::post_process_cycles(counts_.post_process.visible, settings_,
-                                        matrices_.observer_to_light.affine)};
+    MachineCost cost{settings_.timing.clock_ns, drawing(matrices_.world_to_light),
+                     drawing(matrices_.world_to_observer), {}, {}};
+    const bool affine = matrices_.observer_to_light.affine;
+    if (settings_.arithmetic == shadow::Arithmetic::ap120b) {
+        cost.array = shadow::array_cost(counts_.post_process, settings_, affine);
+    } else {
+        cost.post_process =
+            shadow::post_process_cycles(counts_.post_process.visible, settings_, affine);
+    }
+    return cost;
 }
 
 const char* name_of(Plane plane) {

@@ -5,6 +5,7 @@
 // what stands still between two pictures is drawn once. Host times are wall clock, milliseconds.
 #pragma once
 
+#include "shadow/ap120b_cost.hpp"
 #include "shadow/frame.hpp"
 #include "tools/buffers.hpp"
 
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -34,6 +36,7 @@ struct MachineCost {
     int clock_ns = 0;
     std::uint64_t light_cycles = 0, observer_cycles = 0;
     shadow::PostProcessCycles post_process;  // in the correct form of every generated point
+    std::optional<shadow::ArrayCost> array;  // or instead of that, where the AP-120B does it
 
     std::uint64_t transform_cycles() const {
         return light_cycles + observer_cycles + post_process.transform;

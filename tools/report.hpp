@@ -23,6 +23,7 @@ std::string percent(std::optional<double> rate);  // "23.87" or "n/a"
 nlohmann::ordered_json to_json(const BiasReport&);
 nlohmann::ordered_json to_json(const StageTimes&);
 nlohmann::ordered_json to_json(const MachineCost&);
+std::string print(const shadow::ArrayCost&, int clock_ns);  // the ledger, a line a step
 nlohmann::ordered_json to_json(const std::optional<ShadowReport>&);  // null for none
 
 // With two blanks of indent and a newline at the end.
