@@ -11,7 +11,6 @@
 namespace umbra78::claims {
 namespace {
 
-using shadow::array_figure_settings;
 using shadow::figure_settings;
 
 struct Comparison {
@@ -19,9 +18,13 @@ struct Comparison {
     ShadowError fixed, array;
 };
 
-// A figure in fixed point, perhaps with something changed, and on the AP-120B.
-Comparison compare_figure(int figure, const Settings& s) {
-    const Machine fixed(s), array(array_figure_settings(figure));
+// A figure in fixed point and on the AP-120B, both with these settings, which may change what is
+// drawn too; the first with another bias.
+Comparison compare_figure(int figure, const Settings& s, std::int64_t less_bias_q16 = 0) {
+    Settings on_fixed = s, on_array = s;
+    on_fixed.bias_q16 -= less_bias_q16;
+    apply(*shadow::find_profile("ap120b"), on_array);
+    const Machine fixed(on_fixed), array(on_array);
     Comparison c;
     for (std::size_t a = 0; a < fixed.visible.size(); ++a) {
         if (fixed.buffers().mask[a] == array.buffers().mask[a]) continue;
@@ -58,14 +61,12 @@ TEST(Ap120b, ChangesFewPixelsAndNoRate) {
 TEST(Ap120b, DiffersFromTheFixedMachineByItsRoundings) {
     const Comparison three = compare_figure(3, figure_settings(3));
     EXPECT_EQ(three.only_array, three.differ) << "all one way";
-    Settings half = figure_settings(3), floor = figure_settings(3);
-    half.bias_q16 -= 1 << 15;
-    EXPECT_LT(compare_figure(3, half).differ, three.differ);
+    EXPECT_LT(compare_figure(3, figure_settings(3), 1 << 15).differ, three.differ);
+    Settings floor = figure_settings(3);
     floor.machine.transform_rounding = fixed::Rounding::floor;
-    floor.bias_q16 -= 1 << 16;
-    EXPECT_LT(4 * compare_figure(3, floor).differ, three.differ);
+    EXPECT_LT(4 * compare_figure(3, floor, 1 << 16).differ, three.differ);
     floor.machine.coefficient_bits = 32;
-    EXPECT_EQ(compare_figure(3, floor).differ, 0) << "the rest is the 16-bit coefficients";
+    EXPECT_EQ(compare_figure(3, floor, 1 << 16).differ, 0) << "the rest is the coefficients";
 }
 
 // A frame's ledger: seconds, not the fixed unit's tenth of one; most of it is bookkeeping.
