@@ -87,8 +87,8 @@ public:
     // The access's own cycle, at the earliest `cycle`.
     std::uint64_t access(std::uint64_t cycle, std::uint16_t address) {
         const bool odd = (address & 1) != 0;
-        const std::uint64_t free = last_ + cycle_ + (odd == odd_ ? 1 : 0);
-        last_ = used_ && free > cycle ? free : cycle;
+        const std::uint64_t earliest = last_ + cycle_ + (odd == odd_ ? 1 : 0);
+        last_ = used_ && earliest > cycle ? earliest : cycle;
         odd_ = odd;
         used_ = true;
         return last_;

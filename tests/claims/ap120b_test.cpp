@@ -54,10 +54,10 @@ TEST(Ap120b, ChangesFewPixelsAndNoRate) {
     }
 }
 
-// What it changes in figure 3 is where the roundings lie: the fixed unit rounds X to 1/128 pixel and
-// Z to a code half up, then takes X's floor for the texel and lets an equal code be lit. With the
-// floor instead, which is no step before another floor, and a quantum less bias, which makes the
-// equal code dark, hardly a pixel is left.
+// What it changes in figure 3 is where the roundings lie: the fixed unit rounds X to 1/128 pixel
+// and Z to a code half up, then takes X's floor for the texel and lets an equal code be lit. With
+// the floor instead, which is no step before another floor, and a quantum less bias, which makes
+// the equal code dark, hardly a pixel is left.
 TEST(Ap120b, DiffersFromTheFixedMachineByItsRoundings) {
     const Comparison three = compare_figure(3, figure_settings(3));
     EXPECT_EQ(three.only_array, three.differ) << "all one way";
