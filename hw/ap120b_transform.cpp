@@ -163,8 +163,8 @@ std::uint64_t transform_cycles_a_vector(MemorySpeed speed) {
     index[in_register] = 0;   // x of this vector is read
     index[out_register] = 0;  // and the first result of the one before written
     std::uint64_t cycle = 0, last = 0;
-    constexpr int settled = 3;  // vectors; the first has no wait behind it
-    for (int vector = 0; vector <= settled; ++vector) {
+    constexpr int settled = 3;  // the first pass has no access before it
+    for (int pass = 0; pass <= settled; ++pass) {
         last = cycle;
         for (const Instruction& i : loop) {
             if (i.access != Access::none) {

@@ -39,24 +39,24 @@ ArrayCost array_cost(const PostProcessCounts& counts, const Settings& settings, 
     const auto add = [&](ArrayStep s) {
         if (s.elements > 0) c.step[c.steps++] = s;
     };
-    const auto vector = [&](std::string_view name, Published p, int elements, int calls,
-                            ArrayStepSource source = published) {
+    const auto routine = [&](std::string_view name, Published p, int elements, int calls,
+                             ArrayStepSource source = published) {
         add({name, source, elements, cycles(p, speed), calls});
     };
     const int codes = bilinear ? 4 : 1;
-    vector("float x, y, z", fix, 3, 1, assumed);
+    routine("float x, y, z", fix, 3, 1, assumed);
     add({"4 x 4 transform", replayed, 1,
          static_cast<int>(hw::ap120b::transform_cycles_a_vector(speed)), 1});
-    vector("divide by w", divide, affine ? 0 : 3, 3);
-    vector("dither: random words", random, 2 * dithered, 1);
-    vector("dither: add", arithmetic, 2 * dithered, 2);
-    vector("inside the volume?", compare, affine ? 6 : 7, affine ? 6 : 7);
-    vector("fix texel", fix, falls_back ? 4 : 2, falls_back ? 4 : 2);
-    vector("texel's fraction", arithmetic, bilinear ? 4 : 0, 4);
-    vector("float texel and codes", fix, codes + (bilinear ? 2 : 0), bilinear ? 3 : 1, assumed);
-    vector("interpolate", arithmetic, bilinear ? 9 : 0, 9);
-    vector("compare", compare, falls_back ? 5 : 1, falls_back ? 5 : 1);
-    vector("pack mask", pack, 1, 1);
+    routine("divide by w", divide, affine ? 0 : 3, 3);
+    routine("dither: random words", random, 2 * dithered, 1);
+    routine("dither: add", arithmetic, 2 * dithered, 2);
+    routine("inside the volume?", compare, affine ? 6 : 7, affine ? 6 : 7);
+    routine("fix texel", fix, falls_back ? 4 : 2, falls_back ? 4 : 2);
+    routine("texel's fraction", arithmetic, bilinear ? 4 : 0, 4);
+    routine("float texel and codes", fix, codes + (bilinear ? 2 : 0), bilinear ? 3 : 1, assumed);
+    routine("interpolate", arithmetic, bilinear ? 9 : 0, 9);
+    routine("compare", compare, falls_back ? 5 : 1, falls_back ? 5 : 1);
+    routine("pack mask", pack, 1, 1);
     // In: px, py, code; out: the texel's two numbers; in: its codes; out: the mask, two a word.
     c.host_bytes = 2 * (3 + 2 + codes) + 1;
     return c;
