@@ -1,5 +1,6 @@
 #include "shadow/frame.hpp"
 
+#include "shadow/ap120b_post_process.hpp"
 #include "shadow/composite.hpp"
 #include "shadow/correct_form.hpp"
 #include "shadow/low_pass.hpp"
@@ -94,7 +95,7 @@ FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& sp
 FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMatrices& out) {
     using enum FrameStatus;
     const hw::MachineSpec& spec = settings.machine;
-    if (hw::check(spec) != hw::SpecStatus::ok) return spec_out_of_range;
+    if (hw::check(spec) != hw::SpecStatus::ok || !array_can(settings)) return spec_out_of_range;
     out.object = raster::object_words(scene.patches);
     const auto load = [&](const raster::View& view, hw::MatrixWords& words) {
         return raster::load_view(view, spec, out.object, words) == hw::LoadStatus::ok;
@@ -108,6 +109,7 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     if (hw::load_matrix(exact, spec, hw::screen_words(spec), out.observer_to_light) !=
         hw::LoadStatus::ok)
         return shadow_matrix;
+    if (settings.arithmetic == Arithmetic::ap120b) out.array = array_matrix(exact, settings);
     return ok;
 }
 
@@ -150,6 +152,12 @@ void cast_shadows(const Settings& settings, const FrameMatrices& matrices,
         counts.post_process.visible = counts.observer.samples;
         counts.post_process.shadowed = static_cast<std::uint64_t>(
             std::count(frame.mask.begin(), frame.mask.end(), mask_shadow));
+        return;
+    }
+    if (settings.arithmetic == Arithmetic::ap120b) {
+        counts.post_process =
+            array_post_process(frame.observer, frame.light, matrices.array,
+                               matrices.observer_to_light.affine, settings, frame.mask);
         return;
     }
     if constexpr (sizeof(Depth) == sizeof(hw::Depth16)) {

@@ -9,6 +9,7 @@
 // one at a time as well, so that what stands still between frames need not be drawn again.
 #pragma once
 
+#include "hw/ap120b_transform.hpp"
 #include "raster/draw.hpp"
 #include "shadow/bias.hpp"
 #include "shadow/dequantize.hpp"
@@ -52,7 +53,7 @@ FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& sp
 
 enum class FrameStatus : std::uint8_t {
     ok,
-    spec_out_of_range,      // a width outside its range (hw::check)
+    spec_out_of_range,      // a width outside its range (hw::check), or the AP-120B's
     observer_matrix,        // a coefficient of world -> observer outside the exponent's range
     light_matrix,
     shadow_matrix,
@@ -64,6 +65,7 @@ struct FrameMatrices {
     hw::WordFormat object;
     hw::MatrixWords world_to_observer, world_to_light, observer_to_light;
     std::int64_t bias_quanta_q16;
+    hw::ap120b::Matrix array;  // observer to light again, where that is the arithmetic
 };
 FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMatrices& out);
 

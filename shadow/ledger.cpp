@@ -25,8 +25,10 @@ constexpr hw::Operations coverage_pixel{3, 1, 1, 0, 0, 2};
 constexpr hw::Operations low_pass_pixel{12, 0, 0, 0, 0, 10};
 constexpr hw::Operations composite_pixel{2, 2, 2, 1, 10, 3};
 
-PhaseLedger phase(const hw::Operations& o, const hw::MachineSpec& spec) {
-    return {o, hw::unit_cycles(o, spec)};
+PhaseLedger phase(const hw::Operations& o, const Settings& s) {
+    if (s.arithmetic == Arithmetic::ap120b)
+        return {o, hw::ap120b_cycles(o, s.array_memory == hw::ap120b::MemorySpeed::fast ? 1 : 2)};
+    return {o, hw::unit_cycles(o, s.machine)};
 }
 
 PhaseLedger drawing(const Scene& scene, const Settings& s, const FrameMatrices& matrices,
@@ -40,7 +42,7 @@ PhaseLedger drawing(const Scene& scene, const Settings& s, const FrameMatrices& 
     for (const raster::Material& m : scene.materials) shininess = std::max(shininess, m.shininess);
     return phase(raster::drawing_operations(counts, s.machine, matrix.affine, s.sampling, shades,
                                             shininess),
-                 s.machine);
+                 s);
 }
 
 void name_stages(PostProcessLedger& l, const PostProcessPlan& plan) {
@@ -154,15 +156,19 @@ FrameLedger frame_ledger(const Scene& scene, const Settings& s, const FrameMatri
             ? correct_form_schedule(l.observer_counts.samples, plan)
             : schedule<Depth>(frame.observer.depth, m.background(), plan.read_cycles,
                               plan.slot_cycles);
-    l.post_process = closed_form(plain, plan);
+    if (s.arithmetic == Arithmetic::ap120b) {
+        l.array = array_cost(counts.post_process, s, matrices.observer_to_light.affine);
+    } else {
+        l.post_process = closed_form(plain, plan);
+    }
     const auto none = static_cast<Depth>(m.background());
     l.visible = pixels - static_cast<std::uint64_t>(std::count(
                              frame.observer.depth.begin(), frame.observer.depth.end(), none));
     if (s.dequantize_passes > 0)
         l.dequantize = phase(counts.chain_steps * chain_step(s.dequantize_passes) +
-                                 pixels * coverage_pixel, m);
-    l.low_pass = phase(static_cast<std::uint64_t>(s.low_pass_passes) * pixels * low_pass_pixel, m);
-    l.composite = phase(pixels * composite_pixel, m);
+                                 pixels * coverage_pixel, s);
+    l.low_pass = phase(static_cast<std::uint64_t>(s.low_pass_passes) * pixels * low_pass_pixel, s);
+    l.composite = phase(pixels * composite_pixel, s);
     return l;
 }
 

@@ -10,11 +10,13 @@
 #pragma once
 
 #include "hw/operations.hpp"
+#include "shadow/ap120b_cost.hpp"
 #include "shadow/clocked_post_process.hpp"
 #include "shadow/frame.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace umbra78::shadow {
@@ -55,6 +57,7 @@ struct PhaseLedger {
 struct FrameLedger {
     PhaseLedger light, observer, dequantize, low_pass, composite;
     PostProcessLedger post_process;
+    std::optional<ArrayCost> array;  // instead of it, where an AP-120B does the work
     raster::DrawCounts light_counts, observer_counts;  // with nothing left out as hidden
     std::uint64_t visible = 0;
 
@@ -63,6 +66,7 @@ struct FrameLedger {
         return overlap ? p.units.side_by_side() : p.units.one_after_the_other();
     }
     std::uint64_t transformation(bool overlap) const {
+        if (array) return array->cycles();  // routine after routine, whatever overlaps in each
         return overlap ? post_process.total : post_process.without_overlap();
     }
     std::uint64_t filters(bool overlap) const;

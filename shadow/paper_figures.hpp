@@ -7,7 +7,7 @@
 #pragma once
 
 #include "raster/draw.hpp"
-#include "shadow/settings.hpp"
+#include "shadow/profiles.hpp"
 
 #include <array>
 #include <cstdint>
@@ -62,6 +62,13 @@ constexpr Settings figure_settings(int figure) {
     if (figure < 5) return s;
     s.dequantize_passes = 4;
     s.low_pass_passes = 1;
+    return s;
+}
+
+// The same on an AP-120B with standard memory.
+inline Settings array_figure_settings(int figure) {
+    Settings s = figure_settings(figure);
+    apply(*find_profile("ap120b"), s);
     return s;
 }
 

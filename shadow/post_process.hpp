@@ -34,6 +34,7 @@ constexpr hw::Words pixel_words(int px, int py, std::uint32_t code, const Settin
 struct PostProcessCounts {
     std::uint64_t visible = 0;  // pixels transformed
     std::uint64_t shadowed = 0;
+    std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
 };
 
 template <class Depth>

@@ -40,11 +40,26 @@ constexpr std::array perspective24{
                  "a bit a clock, as in the clipping divider of Sproull & Sutherland 1968"},
 };
 
-constexpr std::array<Profile, 4> table{{
+constexpr std::string_view fps =
+    "Floating Point Systems, AP Math Library Manual 860-7288-004, 1979";
+constexpr std::array ap120b{
+    ProfileValue{"arithmetic", 1, published, "the paper names it as what NYIT meant to use"},
+    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps},
+    ProfileValue{"array_memory", 0, assumed, "the cheaper of the two memories sold"},
+};
+constexpr std::array ap120b_fast{
+    ProfileValue{"arithmetic", 1, published, "the paper names it as what NYIT meant to use"},
+    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps},
+    ProfileValue{"array_memory", 1, published, fps},
+};
+
+constexpr std::array<Profile, 6> table{{
     {"affine16", "16-bit coefficients, one row a clock: four multipliers", affine16},
     {"affine16x1", "16-bit coefficients, one multiplier-accumulator", affine16x1},
     {"affine16x16", "16-bit coefficients, sixteen multipliers", affine16x16},
     {"perspective24", "24-bit coefficients in two passes, for perspective views", perspective24},
+    {"ap120b", "the shadow on an FPS AP-120B with standard memory", ap120b},
+    {"ap120b_fast", "the shadow on an FPS AP-120B with fast memory", ap120b_fast},
 }};
 
 }  // namespace

@@ -19,6 +19,8 @@ constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "w
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
                                                        "normal"};
 constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
+constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
+constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};
 
 template <auto Get, auto Set>
 constexpr Setting whole(std::string_view key, std::string_view unit, std::int64_t least,
@@ -96,6 +98,12 @@ constexpr std::array table{
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
         "test visible pixels behind the picture, or each generated point before it is shaded"),
+    choice<UMBRA78_ACCESS(arithmetic)>(
+        "arithmetic", arithmetic_names,
+        "of the post-process: the transform unit's, or an FPS AP-120B's (Z to 16 bits)"),
+    choice<UMBRA78_ACCESS(array_memory)>(
+        "array_memory", memory_names,
+        "the AP-120B's main memory: 333 or 167 ns; no bit depends on it"),
     whole<UMBRA78_ACCESS(timing.clock_ns)>("clock_ns", "ns", 100, 10000,
                                            "a cycle; no bit depends on this or what follows"),
     whole<UMBRA78_ACCESS(timing.multiply_ns)>("multiply_ns", "ns", 1, 400,
@@ -127,7 +135,12 @@ const Setting* find_setting(std::string_view key) {
 
 bool closes(const Settings& settings) {
     return hw::check(settings.machine) == hw::SpecStatus::ok &&
-           hw::check(settings.timing) == hw::TimingStatus::ok;
+           hw::check(settings.timing) == hw::TimingStatus::ok && array_can(settings);
+}
+
+bool array_can(const Settings& settings) {
+    return settings.arithmetic != Arithmetic::ap120b ||
+           (settings.machine.z_bits <= 16 && settings.form == Form::post_process);
 }
 
 }  // namespace umbra78::shadow

@@ -4,6 +4,7 @@
 // range, default and meaning stand here and nowhere else.
 #pragma once
 
+#include "hw/ap120b.hpp"
 #include "hw/machine_spec.hpp"
 #include "hw/noise_source.hpp"
 #include "hw/timing.hpp"
@@ -23,6 +24,8 @@ enum class Lookup : std::uint8_t { nearest, bilinear };
 enum class Background : std::uint8_t { blend, fall_back };
 enum class BiasUnit : std::uint8_t { quanta, texels, world };
 enum class Form : std::uint8_t { post_process, correct };
+// What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
+enum class Arithmetic : std::uint8_t { fixed, ap120b };
 
 struct Settings {
     hw::MachineSpec machine{};
@@ -39,6 +42,8 @@ struct Settings {
     std::int32_t ambient_q8 = 77;        // 0..256
     std::int32_t density_q8 = 154;       // of the shadow: 0 invisible, 256 black
     Form form = Form::post_process;
+    Arithmetic arithmetic = Arithmetic::fixed;
+    hw::ap120b::MemorySpeed array_memory = hw::ap120b::MemorySpeed::standard;
 };
 
 // How a setting is written: a whole number, a decimal with `fraction` bits, or one of `names`.
@@ -61,5 +66,8 @@ const Setting* find_setting(std::string_view key);
 
 // Whether a machine can be built with these settings (the machine's widths, the parts' times).
 bool closes(const Settings& settings);
+
+// Part of that: the AP-120B's host sends 16-bit integers, and it does the post-process only.
+bool array_can(const Settings& settings);
 
 }  // namespace umbra78::shadow

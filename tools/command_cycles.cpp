@@ -41,9 +41,10 @@ void one_profile(const Options& options, const LoadedScene& scene) {
         fmt::print("{}", print(json));
         return;
     }
-    fmt::print("{}: {} ns a cycle, multipliers {}\n\n{}\n{}\n", options.scene, clock_ns,
-               scene.settings.machine.multipliers, print_frame(ledger, clock_ns),
-               print_post_process(ledger.post_process, clock_ns));
+    fmt::print("{}: {} ns a cycle\n\n{}\n{}\n", options.scene, clock_ns,
+               print_frame(ledger, clock_ns),
+               ledger.array ? print_array(*ledger.array, clock_ns)
+                            : print_post_process(ledger.post_process, clock_ns));
     print_claim(cost_claim(ledger));
 }
 

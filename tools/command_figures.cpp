@@ -132,6 +132,7 @@ void write_pictures(const Path& out, const FigureSet& set, FileSet& files) {
     write_contact_sheet(out / "sheet.png", set, files);
     write_highlights(out / "highlights.png", &files);
     write_samplings(out / "samplings.png", set, &files);
+    write_array_comparison(out / "ap120b.png", set, &files);
 }
 
 void run(const Options& options, int& exit_code) {
@@ -168,8 +169,8 @@ void run(const Options& options, int& exit_code) {
     if (options.bless) fmt::print("Goldens written to {}.\n", options.goldens);
     if (options.check && right)
         fmt::print("Every buffer is its golden in {}.\n", options.goldens);
-    fmt::print("{}: fig1.png .. fig6.png, sheet.png, highlights.png, samplings.png, figures.json; "
-               "{:.0f} ms in all.\n", out.string(), total.count());
+    fmt::print("{}: fig1.png .. fig6.png, sheet.png, highlights.png, samplings.png, "
+               "ap120b.png, figures.json; {:.0f} ms in all.\n", out.string(), total.count());
 }
 
 }  // namespace

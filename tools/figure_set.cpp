@@ -47,14 +47,15 @@ FigureSet::FigureSet()
     const auto ms_so_far = [&] { return job_.times().total_ms(); };
     job_.cast_shadows();
     mask3_ = copy(Plane::mask);
-    add(3, "shadow: nearest lookup, low bias", mask3_, mask3(), cycles(3), ms_so_far(),
-        mask3_);
+    add(3, "shadow: nearest lookup, low bias", mask3_, mask_buffer("mask3", mask3_), cycles(3),
+        ms_so_far(), mask3_);
 
     shadow::Settings index = figure_settings(3);
     index.registration = shadow::Registration::index;
-    job_.use(index);
-    job_.cast_shadows();
-    index_mask_ = copy(Plane::mask);
+    index_mask_ = mask_with(index);
+    for (const int figure : {3, 4})
+        array_masks_[static_cast<std::size_t>(figure - 3)] =
+            mask_with(shadow::array_figure_settings(figure));
 
     job_.use(figure_settings(4));
     job_.cast_shadows();
@@ -91,17 +92,23 @@ std::vector<std::uint8_t> FigureSet::copy(Plane plane) const {
     return {bytes.begin(), bytes.end()};
 }
 
-Buffer FigureSet::mask3() const { return {"mask3", size_px(), 255, std::span(mask3_)}; }
+std::vector<std::uint8_t> FigureSet::mask_with(const shadow::Settings& settings) {
+    job_.use(settings);
+    job_.cast_shadows();
+    return copy(Plane::mask);
+}
 
 std::vector<Buffer> FigureSet::buffers() const {
     return {job_.buffer(Plane::observer_z),
             job_.buffer(Plane::light_z),
             job_.buffer(Plane::intensity),
-            mask3(),
+            mask_buffer("mask3", mask3_),
             named(job_.buffer(Plane::mask), "mask4"),
             named(job_.buffer(Plane::edges), "edges5"),
             named(job_.buffer(Plane::filtered), "filtered5"),
-            named(job_.buffer(Plane::picture), "picture6")};
+            named(job_.buffer(Plane::picture), "picture6"),
+            mask_buffer("mask3_ap120b", array_mask(3)),
+            mask_buffer("mask4_ap120b", array_mask(4))};
 }
 
 }  // namespace umbra78::tools

@@ -33,10 +33,15 @@ public:
 
     const std::array<Figure, shadow::figure_count>& figures() const { return figures_; }
     // Every stage's buffer: observer_z, light_z, intensity, mask3, mask4, edges5, filtered5,
-    // picture6.
+    // picture6; and figures 3 and 4 on the AP-120B, mask3_ap120b, mask4_ap120b.
     std::vector<Buffer> buffers() const;
     // Figure 3's mask in index registration, for the studies.
     const std::vector<std::uint8_t>& index_mask() const { return index_mask_; }
+
+    // Figure 3 or 4 as the AP-120B computes it.
+    const std::vector<std::uint8_t>& array_mask(int figure) const {
+        return array_masks_[static_cast<std::size_t>(figure - 3)];
+    }
 
     const LoadedScene& scene() const { return scene_; }
     const SceneTruth& truth() const { return truth_; }
@@ -49,13 +54,17 @@ private:
              const Buffer& golden, std::uint64_t cycles, double host_ms,
              std::span<const std::uint8_t> mask = {});
     std::vector<std::uint8_t> copy(Plane) const;
-    Buffer mask3() const;
+    std::vector<std::uint8_t> mask_with(const shadow::Settings&);
+    Buffer mask_buffer(const char* name, const std::vector<std::uint8_t>& mask) const {
+        return {name, size_px(), 255, std::span(mask)};
+    }
 
     LoadedScene scene_ = figures_scene();
     SceneTruth truth_;
     Band band_;
     RenderJob job_;
     std::vector<std::uint8_t> visible_, mask3_, index_mask_;
+    std::array<std::vector<std::uint8_t>, 2> array_masks_;
     std::array<Figure, shadow::figure_count> figures_{};
 };
 

@@ -122,4 +122,32 @@ void write_samplings(const Path& path, const FigureSet& set_of_figures, FileSet*
     write_sheet(path, cells, {.columns = 2}, set);
 }
 
+void write_array_comparison(const Path& path, const FigureSet& figures, FileSet* set) {
+    const int size = figures.size_px();
+    const auto& fixed = figures.figures()[2].picture;
+    const auto& array = figures.array_mask(3);
+    // One pixel is hard to see: each that differs is drawn with its eight neighbours.
+    std::vector<std::uint8_t> differ(fixed.size(), 0);
+    int count = 0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x);
+            if (fixed[at] == array[at]) continue;
+            ++count;
+            for (int v = std::max(0, y - 1); v <= std::min(size - 1, y + 1); ++v)
+                for (int u = std::max(0, x - 1); u <= std::min(size - 1, x + 1); ++u)
+                    differ[static_cast<std::size_t>(v) * size + static_cast<std::size_t>(u)] = 255;
+        }
+    const auto rates = [&](std::span<const std::uint8_t> mask) {
+        const ShadowError e = shadow_error(figures.truth().truth, {mask, figures.visible()});
+        return fmt::format("false shadow {} %, false light {} %", percent(e.false_shadow_rate()),
+                           percent(e.false_light_rate()));
+    };
+    const SheetCell cells[] = {
+        {size, size, fixed, {"Fig. 3: the fixed-point unit", rates(fixed)}},
+        {size, size, array, {"Fig. 3: the AP-120B, 38-bit floats", rates(array)}},
+        {size, size, differ, {fmt::format("{} pixels differ", count), "each drawn 3 x 3"}}};
+    write_sheet(path, cells, {.columns = 3}, set);
+}
+
 }  // namespace umbra78::tools

@@ -1,4 +1,5 @@
-// Two pictures beside the figures: highlights in shadow, and figure 3 by its samplings.
+// Pictures beside the figures: highlights in shadow, figure 3 by its samplings, and figure 3 on the
+// AP-120B.
 #pragma once
 
 #include "tools/figure_set.hpp"
@@ -11,5 +12,8 @@ void write_highlights(const Path&, FileSet* set = nullptr);
 
 // Figure 3's mask in leaf and centre sampling, in centre and index registration.
 void write_samplings(const Path&, const FigureSet&, FileSet* set = nullptr);
+
+// Figure 3's mask in fixed point, on the AP-120B, and where they differ.
+void write_array_comparison(const Path&, const FigureSet&, FileSet* set = nullptr);
 
 }  // namespace umbra78::tools

@@ -5,6 +5,7 @@
 // what stands still between two pictures is drawn once. Host times are wall clock, milliseconds.
 #pragma once
 
+#include "shadow/ap120b_cost.hpp"
 #include "shadow/frame.hpp"
 #include "shadow/ledger.hpp"
 #include "tools/buffers.hpp"
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <optional>
 #include <variant>
 #include <vector>
 

@@ -110,6 +110,8 @@ std::vector<Plane> draw_figures() {
     const Frame<> four(figures.scene(), figure_settings(4));
     const Frame<> five(figures.scene(), figure_settings(5));
     const Frame<> six(figures.scene(), figure_settings(6));
+    const Frame<> array3(figures.scene(), array_figure_settings(3));
+    const Frame<> array4(figures.scene(), array_figure_settings(4));
     return {plane("observer_z", three.buffers.observer.depth),
             plane("light_z", three.buffers.light.depth),
             plane("intensity", three.buffers.observer.intensity),
@@ -117,7 +119,9 @@ std::vector<Plane> draw_figures() {
             plane("mask4", four.buffers.mask),
             plane("edges5", five.buffers.edges),
             plane("filtered5", five.buffers.filtered),
-            plane("picture6", six.buffers.picture)};
+            plane("picture6", six.buffers.picture),
+            plane("mask3_ap120b", array3.buffers.mask),
+            plane("mask4_ap120b", array4.buffers.mask)};
 }
 
 TEST(Golden, EveryBufferOfTheFigures) {

@@ -19,8 +19,9 @@ using fixed::Rounding;
 // Every member of Settings, by value. A new member no longer fits the bindings, which is a
 // compile error here until it is named, and then a failure below until the table names it too.
 auto members(const Settings& s) {
-    const auto& [machine, timing, sampling, registration, lookup, background, bias_q16, bias_unit, dither,
-                 dequantize_passes, low_pass_passes, ambient_q8, density_q8, form] = s;
+    const auto& [machine, timing, sampling, registration, lookup, background, bias_q16, bias_unit,
+                 dither, dequantize_passes, low_pass_passes, ambient_q8, density_q8, form,
+                 arithmetic, array_memory] = s;
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, transform_rounding,
                  coefficient_rounding, depth_rounding, divide_order] = machine;
     const auto& [shape, size_q8, seed] = dither;
@@ -31,7 +32,7 @@ auto members(const Settings& s) {
                            sampling, registration, lookup, background, bias_q16, bias_unit, shape,
                            size_q8, seed, dequantize_passes, low_pass_passes, ambient_q8,
                            density_q8, form, clock_ns, multiply_ns, add_ns, register_ns, divider,
-                           noise_bits, light_banks);
+                           noise_bits, light_banks, arithmetic, array_memory);
 }
 constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
 
@@ -126,7 +127,8 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"form", 0},            {"clock_ns", 200},
         {"multiply_ns", 160},   {"add_ns", 60},
         {"register_ns", 20},    {"divider", 0},
-        {"noise_bits", 192},    {"light_banks", 1}};
+        {"noise_bits", 192},    {"light_banks", 1},
+        {"arithmetic", 0},      {"array_memory", 0}};
     EXPECT_EQ(expected.size(), settings_table().size());
     for (const Setting& row : settings_table()) {
         const auto at = expected.find(row.key);
@@ -176,6 +178,10 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("divider", "pipelined", hw::Divider::pipelined));
     all.push_back(named("form", "post_process", Form::post_process));
     all.push_back(named("form", "correct", Form::correct));
+    all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
+    all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
+    all.push_back(named("array_memory", "standard", hw::ap120b::MemorySpeed::standard));
+    all.push_back(named("array_memory", "fast", hw::ap120b::MemorySpeed::fast));
 
     std::size_t names = 0;
     for (const Setting& row : settings_table()) names += row.names.size();
@@ -220,6 +226,14 @@ TEST(SettingsTable, GapsAreRefused) {
     EXPECT_FALSE(closes(s));
     s = {};
     s.machine.multipliers = 3;
+    EXPECT_FALSE(closes(s));
+    s = {};
+    s.arithmetic = Arithmetic::ap120b;
+    EXPECT_TRUE(closes(s));
+    s.machine.z_bits = 17;
+    EXPECT_FALSE(closes(s)) << "the host sends 16 bits";
+    s.machine.z_bits = 16;
+    s.form = Form::correct;
     EXPECT_FALSE(closes(s));
 }
 

@@ -4,6 +4,7 @@
 // its hashes stand in hw/MACHINE.md, section 15, and this test holds the two together. The scene
 // words here are that section's.
 #include "fixed/fnv.hpp"
+#include "shadow/profiles.hpp"
 #include "tests/shadow/figure_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,14 @@ void expect_variant(const std::string& name, const Scene& scene, const Settings&
     expect_documented(name, "mask", hash<std::uint8_t>(f.buffers.mask, size));
 }
 
+// The mask alone, on the AP-120B: section 18's table.
+void expect_on_array(const std::string& name, const Scene& scene, Settings settings) {
+    apply(*find_profile("ap120b"), settings);
+    test::Frame<> f(scene, settings);
+    ASSERT_EQ(f.status, FrameStatus::ok);
+    expect_documented(name, "mask_ap120b", hash<std::uint8_t>(f.buffers.mask, 512));
+}
+
 // The four spheres on a floor of 6 by 6 units.
 struct FloorScene {
     std::vector<raster::Patch> patches;
@@ -116,6 +125,7 @@ TEST(Variants, index_registration) {
     Settings set = figure_settings(3);
     set.registration = Registration::index;
     expect_variant<hw::Depth16>("index", s.scene(100 * 65536), set);
+    expect_on_array("index", s.scene(100 * 65536), set);
 }
 
 TEST(Variants, fall_back) {
@@ -123,6 +133,7 @@ TEST(Variants, fall_back) {
     Settings set = figure_four();
     set.background = Background::fall_back;
     expect_variant<hw::Depth16>("fall_back", s.scene(), set);
+    expect_on_array("fall_back", s.scene(), set);
 }
 
 TEST(Variants, correct_form) {
@@ -157,16 +168,18 @@ TEST(Variants, perspective_observer) {
     FloorScene s;
     Settings set = figure_four();
     set.machine.coefficient_bits = 24;
-    expect_variant<hw::Depth16>(
-        "perspective", {s.patches, s.materials, s.perspective_observer(), s.far_light()}, set);
+    const Scene scene{s.patches, s.materials, s.perspective_observer(), s.far_light()};
+    expect_variant<hw::Depth16>("perspective", scene, set);
+    expect_on_array("perspective", scene, set);
 }
 
 TEST(Variants, point_light) {
     FloorScene s;
     Settings set = figure_four();
     set.machine.coefficient_bits = 24;
-    expect_variant<hw::Depth16>(
-        "point", {s.patches, s.materials, s.perspective_observer(), s.point_light()}, set);
+    const Scene scene{s.patches, s.materials, s.perspective_observer(), s.point_light()};
+    expect_variant<hw::Depth16>("point", scene, set);
+    expect_on_array("point", scene, set);
 }
 
 }  // namespace

@@ -72,6 +72,10 @@ void print_figures(int filler) {
     print("edges5", m6.frame.edges);
     print("filtered5", m6.frame.filtered);
     print("picture6", m6.frame.picture);
+    const Memory<hw::Depth16> a3(scene, shadow::array_figure_settings(3), filler);
+    const Memory<hw::Depth16> a4(scene, shadow::array_figure_settings(4), filler);
+    print("mask3_ap120b", a3.frame.mask);
+    print("mask4_ap120b", a4.frame.mask);
 }
 
 void print_other_paths(int filler) {

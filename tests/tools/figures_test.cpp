@@ -111,7 +111,7 @@ protected:
 TEST_F(Goldens, WhatWasBlessedIsRight) {
     EXPECT_EQ(problems(), Found{});
     const Hashes hashes = read_hashes(folder);
-    EXPECT_EQ(hashes.size(), 8u);
+    EXPECT_EQ(hashes.size(), 10u);
     EXPECT_EQ(hashes.at("picture6"), figures().figures()[5].hash);
     EXPECT_EQ(read_pgm(folder / "light_z.pgm").maxval, 65535);
     EXPECT_EQ(read_pgm(folder / "mask4.pgm").maxval, 255);
@@ -137,7 +137,7 @@ TEST_F(Goldens, WhatIsMissingOrDamagedIsNamed) {
     std::ofstream(light) << "P5 1 1 255\nx";
     std::ofstream(folder / "hashes.txt") << "observer_z u16be:0\n";
     const Found found = problems();
-    ASSERT_EQ(found.size(), 8u);
+    ASSERT_EQ(found.size(), 10u);
     EXPECT_EQ(found[0], "observer_z: its picture is right, but hashes.txt says u16be:0, not " +
                             hash_of(figures().buffers()[0]));
     EXPECT_EQ(found[1], "light_z: the golden has 1 x 1 pixels, the buffer 512 x 512");
@@ -181,7 +181,8 @@ TEST_F(Goldens, TheCommandChecks) {
             EXPECT_TRUE(figure.contains(key)) << key;
         EXPECT_TRUE(fs::exists(out / figure["file"]));
     }
-    for (const char* name : {"sheet.png", "highlights.png", "samplings.png", "figures.json"})
+    for (const char* name : {"sheet.png", "highlights.png", "samplings.png", "ap120b.png",
+                             "figures.json"})
         EXPECT_TRUE(fs::exists(out / name)) << name;
 }
 
