@@ -20,11 +20,22 @@ Dram::Dram(const DramTiming& timing, const DramMap& map, bool shown)
     fixed::require(map.banks >= 1 && ns(map.banks) <= most_banks, "dram: too many banks");
 }
 
-// When all banks of a request can start.
+// Whether an access that starts then finds its row open, not for too long, and the column ready.
+bool Dram::hits(const Bank& bank, std::int32_t row, std::uint64_t start_ns) const {
+    return bank.row == row && start_ns >= bank.ready_ns + ns(timing_.column_recovery_ns()) &&
+           start_ns + ns(timing_.column_ns) <= bank.opened_ns + ns(DramTiming::longest_open_ns);
+}
+
+// When all banks of a request can start: a hit waits for the column, all else for the bank only.
 std::uint64_t Dram::ready_ns(std::span<const DramPlace> places, std::uint64_t at_ns) const {
-    for (const DramPlace& p : places)
-        at_ns = std::max(at_ns, banks_[static_cast<std::size_t>(p.bank)].ready_ns);
-    return at_ns;
+    std::uint64_t start = at_ns;
+    for (const DramPlace& p : places) {
+        const Bank& bank = banks_[static_cast<std::size_t>(p.bank)];
+        const std::uint64_t column =
+            std::max(at_ns, bank.ready_ns + ns(timing_.column_recovery_ns()));
+        start = std::max(start, hits(bank, p.row, column) ? column : bank.ready_ns);
+    }
+    return start;
 }
 
 std::uint64_t Dram::due_ns() const { return std::min(video_due_ns_, refresh_due_ns_); }
@@ -54,11 +65,9 @@ void Dram::steal(std::uint64_t at_ns, std::uint64_t& video_ns, std::uint64_t& re
 std::uint64_t Dram::serve(Bank& bank, std::int32_t row, std::uint64_t start_ns) {
     ++counts_.accesses;
     const bool open = bank.row != closed;
-    const std::uint64_t page_ns = ns(timing_.page_ns);
-    if (bank.row == row &&
-        start_ns + page_ns <= bank.opened_ns + ns(DramTiming::longest_open_ns)) {
+    if (hits(bank, row, start_ns)) {
         ++counts_.page_hits;
-        return bank.ready_ns = start_ns + page_ns;
+        return bank.ready_ns = start_ns + ns(timing_.column_ns);
     }
     ++counts_.row_misses;
     if (open) ++counts_.row_changes;

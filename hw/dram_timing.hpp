@@ -1,8 +1,8 @@
 // The times of the frame stores' memory chips: 16384 x 1-bit dynamic RAMs of the MK4116 class.
 //
 // Access and cycle are those of the 200 ns grade (MK4116-3 data sheet, Mostek, about 1977), and so
-// are 128 rows to be refreshed within 2 ms. The page-mode cycle of 225 ns, the 10 us for which a
-// row may stay open and all of the video's times below are ASSUMPTIONS (hw/MACHINE.md, section 17).
+// are 128 rows to be refreshed within 2 ms. The page mode's 135 and 225 ns, the 10 us for which a
+// row may stay open and the visible part of a line are ASSUMPTIONS (hw/MACHINE.md, section 17).
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ enum class Video : std::uint8_t { off, observer, all };
 struct DramTiming {
     int access_ns = 200;  // from a closed row to its data
     int cycle_ns = 375;   // from one opening of a row to the next
-    int page_ns = 225;    // an access in the open row; 0: rows are closed behind every access
+    int column_ns = 135;  // from a column of the open row to its data
+    int page_ns = 225;    // from one column to the next; 0: rows are closed behind every access
     DramRows rows = DramRows::lines;
     Video video = Video::observer;
 
@@ -33,6 +34,8 @@ struct DramTiming {
     // access counts as one as long).
     constexpr int recovery_ns() const { return cycle_ns > access_ns ? cycle_ns - access_ns : 0; }
     constexpr int whole_cycle_ns() const { return access_ns + recovery_ns(); }
+    // What a column costs behind its access before another can be read.
+    constexpr int column_recovery_ns() const { return page_ns > column_ns ? page_ns - column_ns : 0; }
     constexpr bool page_mode() const { return page_ns > 0; }
 };
 

@@ -117,8 +117,11 @@ constexpr std::array table{
                                                  "a frame store's chip: from a closed row to data"),
     whole<UMBRA78_ACCESS(timing.dram.cycle_ns)>(
         "dram_cycle_ns", "ns", 1, 1000, "from one opening of a chip's row to the next"),
+    whole<UMBRA78_ACCESS(timing.dram.column_ns)>(
+        "dram_column_ns", "ns", 1, 1000, "from a column of the open row to data"),
     whole<UMBRA78_ACCESS(timing.dram.page_ns)>(
-        "dram_page_ns", "ns", 0, 1000, "an access in the open row; 0: no row is left open"),
+        "dram_page_ns", "ns", 0, 1000,
+        "from one column of the open row to the next; 0: no row is left open"),
     choice<UMBRA78_ACCESS(timing.dram.rows)>(
         "dram_rows", dram_rows_names,
         "a row of the chips holds whole scan lines, or words far apart, which video refreshes"),

@@ -40,7 +40,11 @@ TEST(Dram, OneRowIsOneMissAndThenPageHits) {
     EXPECT_EQ(s.dram.counts().page_hits, 29u);
     EXPECT_EQ(s.dram.counts().row_misses, 1u);
     EXPECT_EQ(s.dram.counts().row_changes, 0u);
-    EXPECT_EQ(s.dram.counts().busy_ns, s.now);
+    EXPECT_EQ(s.dram.counts().busy_ns, 200u + 29 * 135);
+    EXPECT_EQ(s.dram.counts().bank_wait_ns, 29u * 90) << "from column to column";
+    s.now += 90;
+    const std::uint64_t before = s.now;
+    EXPECT_EQ(s.read(0, 0), before + 135) << "at rest, the open row answers at once";
 }
 
 TEST(Dram, PingPongRowsPayAWholeCycleEach) {
@@ -164,7 +168,7 @@ TEST(Dram, ASequentialScanMissesOncePerPageAndOncePerStolenCycle) {
     // Nothing else closes a row but its time: 43 hits at most behind every miss.
     EXPECT_GE(c.row_misses, 128 + 512u * 32 / 44 - 128);
     EXPECT_LE(c.row_misses, 128 + c.refresh_cycles + 512u * 32 / 44);
-    EXPECT_EQ(c.busy_ns, 225 * c.page_hits + 200 * c.row_misses + 175 * c.row_changes);
+    EXPECT_EQ(c.busy_ns, 135 * c.page_hits + 200 * c.row_misses + 175 * c.row_changes);
     EXPECT_EQ(s.now, c.latency_ns());
 
     DramTiming words;
@@ -187,13 +191,14 @@ TEST(Dram, FourBanksStartTogetherAndKeepARowEach) {
     EXPECT_EQ(s.now, 200u);
     quad(301, 2);
     EXPECT_EQ(s.now, 200u + 225);
-    quad(301, 3);  // lines 3 and 4: two banks stay in their row, two change
-    EXPECT_EQ(s.now, 200u + 225 + 375);
+    quad(301, 3);  // lines 3 and 4: two banks stay in their row, two change, the four as one
+    EXPECT_EQ(s.now, 200u + 225 + 90 + 375);
     EXPECT_EQ(s.dram.counts().requests, 3u);
     EXPECT_EQ(s.dram.counts().accesses, 12u);
     EXPECT_EQ(s.dram.counts().page_hits, 6u);
     EXPECT_EQ(s.dram.counts().row_changes, 2u);
-    EXPECT_EQ(s.dram.counts().busy_ns, s.now);
+    EXPECT_EQ(s.dram.counts().busy_ns, 200u + 135 + 375);
+    EXPECT_EQ(s.dram.counts().bank_wait_ns, 2u * 90);
 }
 
 void expect_equal(const DramCounts& a, const DramCounts& b, const std::string& where) {
@@ -218,6 +223,7 @@ TEST(Dram, IsTheModelOfSingleNanoseconds) {
         if (round % 3 != 0) {
             t.access_ns = between(1, 1000);
             t.cycle_ns = between(1, 1000);
+            t.column_ns = between(1, 500);
             t.page_ns = between(0, 3) == 0 ? 0 : between(1, 600);
         }
         t.rows = static_cast<DramRows>(between(0, 1));

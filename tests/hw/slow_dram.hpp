@@ -71,8 +71,20 @@ private:
                            [&](const Bank& b) { return b.busy_until <= now_; });
     }
     bool idle(std::span<const DramPlace> places) const {
-        return std::all_of(places.begin(), places.end(),
-                           [&](const DramPlace& p) { return banks_[p.bank].busy_until <= now_; });
+        return std::all_of(places.begin(), places.end(), [&](const DramPlace& p) {
+            const Bank& b = banks_[p.bank];
+            return b.busy_until <= now_ && !waits_for_column(b, p.row);
+        });
+    }
+    std::uint64_t column_ready(const Bank& b) const {
+        return b.busy_until + static_cast<std::uint64_t>(std::max(t_.page_ns - t_.column_ns, 0));
+    }
+    bool in_time(const Bank& b, std::uint64_t column) const {
+        return column + static_cast<std::uint64_t>(t_.column_ns) <= b.low_since + 10000;
+    }
+    // In the open row, the next column is worth a wait if it comes before the row must be closed.
+    bool waits_for_column(const Bank& b, std::int32_t row) const {
+        return b.row == row && now_ < column_ready(b) && in_time(b, column_ready(b));
     }
     std::uint64_t recovery() const {
         return static_cast<std::uint64_t>(std::max(t_.cycle_ns - t_.access_ns, 0));
@@ -94,10 +106,9 @@ private:
         for (const DramPlace& p : places) {
             Bank& b = banks_[p.bank];
             std::uint64_t data = 0;
-            const auto page = static_cast<std::uint64_t>(t_.page_ns);
-            if (page > 0 && b.row == p.row && now_ + page - b.low_since <= 10000) {
+            if (b.row == p.row && now_ >= column_ready(b) && in_time(b, now_)) {
                 ++counts.page_hits;
-                data = now_ + page;
+                data = now_ + static_cast<std::uint64_t>(t_.column_ns);
             } else {
                 ++counts.row_misses;
                 counts.row_changes += b.row >= 0;
@@ -106,7 +117,7 @@ private:
                 data = b.low_since + open();
             }
             b.busy_until = data;
-            if (page == 0) {
+            if (t_.page_ns == 0) {
                 b.row = -1;
                 b.busy_until += recovery();
             }

@@ -26,13 +26,14 @@ auto members(const Settings& s) {
     const auto& [shape, size_q8, seed] = dither;
     const auto& [clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits, light_banks,
                  dram] = timing;
-    const auto& [access_ns, cycle_ns, page_ns, rows, video] = dram;
+    const auto& [access_ns, cycle_ns, column_ns, page_ns, rows, video] = dram;
     return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                            transform_rounding, coefficient_rounding, depth_rounding, divide_order,
                            sampling, registration, lookup, background, bias_q16, bias_unit, shape,
                            size_q8, seed, dequantize_passes, low_pass_passes, ambient_q8,
                            density_q8, form, clock_ns, multiply_ns, add_ns, register_ns, divider,
-                           noise_bits, light_banks, access_ns, cycle_ns, page_ns, rows, video);
+                           noise_bits, light_banks, access_ns, cycle_ns, column_ns, page_ns,
+                           rows, video);
 }
 constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
 
@@ -129,8 +130,8 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"register_ns", 20},    {"divider", 0},
         {"noise_bits", 192},    {"light_banks", 1},
         {"dram_access_ns", 200}, {"dram_cycle_ns", 375},
-        {"dram_page_ns", 225},  {"dram_rows", 0},
-        {"video", 1}};
+        {"dram_column_ns", 135}, {"dram_page_ns", 225},
+        {"dram_rows", 0},       {"video", 1}};
     EXPECT_EQ(expected.size(), settings_table().size());
     for (const Setting& row : settings_table()) {
         const auto at = expected.find(row.key);
