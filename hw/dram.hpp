@@ -1,16 +1,17 @@
 // A frame store's dynamic memory in time: banks with an open row, and the cycles that refresh and
 // video read-out take from it. Bits never depend on it; it says only *when* an access is done.
 //
-//   row open, and not for too long:  column_ns           (a page hit)
-//   row closed:                      access_ns           (a row miss)
-//   another row open:                recovery, access_ns (a row miss that first closes a row)
+//   row open, and not for too long:   column_ns            (a page hit)
+//   row closed:                       access_ns            (a row miss)
+//   another row open:                 recovery, access_ns  (a row miss that first closes a row)
 //   without page mode: access_ns, and the bank is ready a whole cycle after the start
 //
 // A request is for one place, or for one in each of several banks, which start together. It starts
-// when its banks are ready (for a page hit: a page cycle after the last column) and no refresh or video cycle is due: at a tie those go first, in the
-// order they fell due, the video before the refresh. They wait for what has begun, take all banks,
-// close all rows (a recovery, if one is open) and last a whole cycle. All times are from the
-// frame's start. What is published and what assumed: hw/MACHINE.md, section 17.
+// when its banks are ready (for a page hit: a page cycle after the last column) and no refresh or
+// video cycle is due: at a tie those go first, in the order they fell due, the video before the
+// refresh. They wait for what has begun, take all banks, close all rows (a recovery, if one is
+// open) and last a whole cycle. All times are from the frame's start. What is published and what
+// assumed: hw/MACHINE.md, section 17.
 // Not emulated: set-up and hold times, the video's own buffer, vertical blanking.
 #pragma once
 

@@ -1,8 +1,8 @@
 // The times of the frame stores' memory chips: 16384 x 1-bit dynamic RAMs of the MK4116 class.
 //
-// Access and cycle are those of the 200 ns grade (MK4116-3 data sheet, Mostek, about 1977), and so
-// are 128 rows to be refreshed within 2 ms. The page mode's 135 and 225 ns, the 10 us for which a
-// row may stay open and the visible part of a line are ASSUMPTIONS (hw/MACHINE.md, section 17).
+// Access and cycle are those of the 200 ns grade (Mostek's MK4116-3, as later texts give them), and
+// so are 128 rows to be refreshed within 2 ms. The page mode's 135 and 225 ns, the 10 us for which
+// a row may stay open and the visible part of a line are ASSUMPTIONS (hw/MACHINE.md, section 17).
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,9 @@ struct DramTiming {
     constexpr int recovery_ns() const { return cycle_ns > access_ns ? cycle_ns - access_ns : 0; }
     constexpr int whole_cycle_ns() const { return access_ns + recovery_ns(); }
     // What a column costs behind its access before another can be read.
-    constexpr int column_recovery_ns() const { return page_ns > column_ns ? page_ns - column_ns : 0; }
+    constexpr int column_recovery_ns() const {
+        return page_ns > column_ns ? page_ns - column_ns : 0;
+    }
     constexpr bool page_mode() const { return page_ns > 0; }
 };
 

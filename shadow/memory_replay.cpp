@@ -25,7 +25,9 @@ struct Moment {
     }
 };
 
-const Moment& later(const Moment& own, const Moment& next) { return own.ns >= next.ns ? own : next; }
+const Moment& later(const Moment& own, const Moment& next) {
+    return own.ns >= next.ns ? own : next;
+}
 
 // Four stages with a register each. A service is asked for with the time its stage is entered.
 class Pipeline {

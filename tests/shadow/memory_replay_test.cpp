@@ -137,7 +137,7 @@ TEST(MemoryReplay, IdealTotalsAreTheClosedForm) {
     for (const std::uint64_t issue : {1, 3, 9}) {
         std::fill(observer.depth.begin(), observer.depth.end(), hw::Depth16{65535});
         MemoryLedger l = replay_memory(observer.store, none, s, issue);
-        EXPECT_EQ(l.ideal_ns, (pixels + 3) * clock) << "background: a clock a pixel, three to drain";
+        EXPECT_EQ(l.ideal_ns, (pixels + 3) * clock) << "a clock a pixel, three to drain";
         EXPECT_EQ(l.visible, 0u);
         EXPECT_EQ(l.light.requests, 0u);
         std::fill(observer.depth.begin(), observer.depth.end(), hw::Depth16{1000});
