@@ -1,5 +1,6 @@
 #include "shadow/memory_replay.hpp"
 
+#include "fixed/trap.hpp"
 #include "hw/divider.hpp"
 #include "hw/noise_source.hpp"
 #include "shadow/lookup_texels.hpp"
@@ -63,7 +64,7 @@ public:
     std::uint64_t texels_ns(std::uint64_t at_ns, const Texels& t) {
         std::array<hw::DramPlace, 4> places{};
         for (std::size_t k = 0; k < t.count; ++k) places[k] = map_.place(t.at[k].x, t.at[k].y);
-        const std::size_t together = map_.banks == 1 ? 1 : 4;
+        const std::size_t together = map_.banks == 4 ? 4 : 1;
         std::uint64_t done = at_ns;
         for (std::size_t k = 0; k < t.count; k += together)
             done = dram_.access(std::span(places).subspan(k, std::min(together, t.count - k)),
@@ -103,7 +104,7 @@ public:
                     unit_ns,
                     [&](std::uint64_t t) { return none ? clock_ : light_.texels_ns(t, texels); },
                     [&](std::uint64_t t) { return last ? mask_.word_ns(t, x, y) : clock_; });
-        const std::uint64_t reads = none || banks_ != 1 ? 1 : texels.count;
+        const std::uint64_t reads = none || banks_ == 4 ? 1 : texels.count;
         const auto a_clock = [&](std::uint64_t) { return clock_; };
         ideal_.token(a_clock, unit_ns, [&](std::uint64_t) { return reads * clock_; }, a_clock);
         ++ledger_.pixels;
@@ -146,6 +147,7 @@ std::uint64_t least_issue_cycles(const Settings& settings, bool affine) {
 template <class Depth>
 MemoryLedger replay_memory(const hw::FrameStore<Depth>& observer, const hw::MatrixWords& matrix,
                            const Settings& settings, std::uint64_t issue_cycles) {
+    fixed::require(issue_cycles > 0, "replay: a visible pixel takes at least a clock");
     const hw::MachineSpec& spec = settings.machine;
     const hw::TransformUnit unit(spec, matrix);
     const bool dithered = settings.dither.shape != hw::DitherShape::none;

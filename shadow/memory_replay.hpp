@@ -34,7 +34,7 @@ struct MemoryLedger {
     StageTime path, ideal_path;   // of total_ns and of ideal_ns
 };
 
-// `issue_cycles` is S: a visible pixel enters the unit so many clocks behind the one before it.
+// `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks behind the one before it.
 // This is the least it can be without a closer look: the transform's, the serial divider's and the
 // light map's clocks, whichever is most.
 std::uint64_t least_issue_cycles(const Settings& settings, bool affine);

@@ -223,6 +223,38 @@ TEST(MemoryReplay, OfTheFiguresFrame) {
     EXPECT_EQ(replay(s).ideal_ns, plain.ideal_ns);
 }
 
+// hw/MACHINE.md, section 17: the ledgers of figures 3 and 4.
+struct Published {
+    int figure, banks;
+    std::array<std::uint64_t, 3> row_misses, row_changes;  // observer, light, mask
+    std::uint64_t latency_ns, total_ns, ideal_ns;
+};
+constexpr Published published[] = {
+    {3, 1, {15050, 8649, 7833}, {26, 3841, 1698}, 23'621'920, 95'858'800, 95'138'200},
+    {4, 1, {15262, 64467, 10264}, {26, 56321, 1492}, 101'789'655, 148'384'400, 116'934'800},
+    {4, 4, {15023, 81762, 7827}, {29, 62490, 1691}, 29'597'070, 95'875'000, 95'138'200},
+};
+
+TEST(MemoryReplay, LedgersArePublished) {
+    const test::FigureScene figures;
+    for (const Published& p : published) {
+        Settings s = figure_settings(p.figure);
+        s.timing.light_banks = p.banks;
+        const test::Frame<> frame(figures.scene(), s);
+        const MemoryLedger l =
+            replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, s,
+                          least_issue_cycles(s, true));
+        EXPECT_EQ((std::array{l.observer.row_misses, l.light.row_misses, l.mask.row_misses}),
+                  p.row_misses);
+        EXPECT_EQ((std::array{l.observer.row_changes, l.light.row_changes, l.mask.row_changes}),
+                  p.row_changes);
+        EXPECT_EQ(l.observer.latency_ns() + l.light.latency_ns() + l.mask.latency_ns(),
+                  p.latency_ns);
+        EXPECT_EQ(l.total_ns, p.total_ns);
+        EXPECT_EQ(l.ideal_ns, p.ideal_ns);
+    }
+}
+
 TEST(MemoryReplay, TheLeastIssueIsTheSlowestUnits) {
     Settings s;
     EXPECT_EQ(least_issue_cycles(s, true), 3u);
