@@ -77,6 +77,17 @@ TEST(Dram, ARowIsNotLeftOpenForTooLong) {
     EXPECT_LT(s.now, first_refresh_ns);
 }
 
+TEST(Dram, TenMicrosecondsAreStillInTime) {
+    for (const std::uint64_t late : {0u, 1u}) {
+        Store s;
+        s.read(0, 0);
+        s.now = 10'000 - 135 + late;
+        s.read(0, 0);
+        EXPECT_EQ(s.dram.counts().page_hits, 1 - late);
+        EXPECT_EQ(s.now, 10'000 + (late == 0 ? 0 : 1 - 135 + 375));
+    }
+}
+
 // 128 refresh cycles in any 2 ms, read or not; each closes the row.
 TEST(Dram, RefreshIs128CyclesEachTwoMilliseconds) {
     for (const bool busy : {false, true}) {
