@@ -1,7 +1,6 @@
 #include "shadow/memory_replay.hpp"
 
 #include "fixed/trap.hpp"
-#include "hw/divider.hpp"
 #include "hw/noise_source.hpp"
 #include "shadow/lookup_texels.hpp"
 #include "shadow/post_process.hpp"
@@ -134,15 +133,6 @@ private:
 };
 
 }  // namespace
-
-std::uint64_t least_issue_cycles(const Settings& settings, bool affine) {
-    const hw::MachineSpec& spec = settings.machine;
-    const bool serial = !affine && settings.timing.divider == hw::Divider::serial;
-    const bool four = settings.lookup == Lookup::bilinear && settings.timing.light_banks == 1;
-    return static_cast<std::uint64_t>(
-        std::max({hw::transform_cost(spec, affine).cycles_per_point,
-                  serial ? hw::serial_divide_cycles(spec) : 1, four ? 4 : 1}));
-}
 
 template <class Depth>
 MemoryLedger replay_memory(const hw::FrameStore<Depth>& observer, const hw::MatrixWords& matrix,

@@ -34,13 +34,9 @@ struct MemoryLedger {
     StageTime path, ideal_path;   // of total_ns and of ideal_ns
 };
 
-// `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks behind the one before it.
-// This is the least it can be without a closer look: the transform's, the serial divider's and the
-// light map's clocks, whichever is most.
-std::uint64_t least_issue_cycles(const Settings& settings, bool affine);
-
 // Of the post-process form, whatever settings.form says. The light map's words do not matter: only
-// where they lie.
+// where they lie. `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks behind the
+// one before it (PostProcessPlan::slot_cycles, the slowest stage's).
 template <class Depth>
 MemoryLedger replay_memory(const hw::FrameStore<Depth>& observer, const hw::MatrixWords& matrix,
                            const Settings& settings, std::uint64_t issue_cycles);

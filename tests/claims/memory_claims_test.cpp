@@ -1,5 +1,6 @@
 // What memory of the time costs the post-process, and where it shows: dither, interpolation and the
 // light's angle as page misses of the light map (hw/MACHINE.md, section 17).
+#include "shadow/clocked_post_process.hpp"
 #include "shadow/memory_replay.hpp"
 #include "tests/claims/ground.hpp"
 
@@ -26,8 +27,9 @@ struct Lit {
     }
     MemoryLedger replay(const Settings& s) const {
         const hw::MatrixWords& matrix = frame.matrices.observer_to_light;
+        const shadow::PostProcessPlan plan(s, matrix);
         return replay_memory(frame.buffers.observer, matrix, s,
-                             least_issue_cycles(s, matrix.affine));
+                             static_cast<std::uint64_t>(plan.slot_cycles));
     }
 
     Settings settings;

@@ -1,6 +1,7 @@
 // The memory replay: against a model clock by clock, against closed forms, and its sums.
 #include "shadow/memory_replay.hpp"
 
+#include "shadow/clocked_post_process.hpp"
 #include "shadow/post_process.hpp"
 #include "tests/shadow/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
@@ -19,6 +20,10 @@ namespace {
 
 using test::OwnedStore;
 using test::Random;
+
+std::uint64_t slot_cycles(const Settings& s, const hw::MatrixWords& matrix) {
+    return static_cast<std::uint64_t>(PostProcessPlan(s, matrix).slot_cycles);
+}
 
 auto list(const hw::DramCounts& c) {
     return std::array{c.requests,        c.accesses,      c.page_hits,      c.row_misses,
@@ -206,7 +211,7 @@ TEST(MemoryReplay, OfTheFiguresFrame) {
     const auto replay = [&](const Settings& with) {
         const MemoryLedger l =
             replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, with,
-                          least_issue_cycles(with, frame.matrices.observer_to_light.affine));
+                          slot_cycles(with, frame.matrices.observer_to_light));
         expect_sums(l, with);
         return l;
     };
@@ -243,7 +248,7 @@ TEST(MemoryReplay, LedgersArePublished) {
         const test::Frame<> frame(figures.scene(), s);
         const MemoryLedger l =
             replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, s,
-                          least_issue_cycles(s, true));
+                          slot_cycles(s, frame.matrices.observer_to_light));
         EXPECT_EQ((std::array{l.observer.row_misses, l.light.row_misses, l.mask.row_misses}),
                   p.row_misses);
         EXPECT_EQ((std::array{l.observer.row_changes, l.light.row_changes, l.mask.row_changes}),
@@ -253,22 +258,6 @@ TEST(MemoryReplay, LedgersArePublished) {
         EXPECT_EQ(l.total_ns, p.total_ns);
         EXPECT_EQ(l.ideal_ns, p.ideal_ns);
     }
-}
-
-TEST(MemoryReplay, TheLeastIssueIsTheSlowestUnits) {
-    Settings s;
-    EXPECT_EQ(least_issue_cycles(s, true), 3u);
-    s.lookup = Lookup::bilinear;
-    EXPECT_EQ(least_issue_cycles(s, true), 4u);
-    s.timing.light_banks = 4;
-    EXPECT_EQ(least_issue_cycles(s, true), 3u);
-    s.machine.multipliers = 16;
-    EXPECT_EQ(least_issue_cycles(s, true), 1u);
-    s.machine.multipliers = 1;
-    EXPECT_EQ(least_issue_cycles(s, true), 9u);
-    EXPECT_EQ(least_issue_cycles(s, false), 60u) << "the divider, a bit a clock";
-    s.timing.divider = hw::Divider::pipelined;
-    EXPECT_EQ(least_issue_cycles(s, false), 16u);
 }
 
 }  // namespace
