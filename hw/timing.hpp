@@ -5,6 +5,8 @@
 // Sources and assumptions stand with the profiles (shadow/profiles.cpp) and in hw/MACHINE.md.
 #pragma once
 
+#include "hw/dram_timing.hpp"
+
 #include <cstdint>
 
 namespace umbra78::hw {
@@ -20,6 +22,7 @@ struct Timing {
     Divider divider = Divider::serial;
     int noise_bits = 192;   // the noise registers advance so far in a clock
     int light_banks = 1;    // light-map words read in one clock: 1, or 2 x 2 interleaved banks
+    DramTiming dram{};      // of the frame stores' chips: for the replay, not for the stages
 
     // Stages for work of so many nanoseconds.
     constexpr int stages(int work_ns) const {

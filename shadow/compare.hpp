@@ -34,21 +34,25 @@ struct LightMap {
     }
 };
 
+// The texel a coordinate falls in, X or Y.
+constexpr std::int64_t texel_index(const hw::MachineSpec& spec, std::int64_t v) {
+    return (v >> spec.fraction_bits) + spec.half_px();
+}
+
 template <class Depth>
 bool nearest_shadows(const LightMap<Depth>& map, std::int64_t x, std::int64_t y,
                      std::int64_t code) {
-    const int f = map.spec.fraction_bits, half = map.spec.half_px();
-    return code > map.texel((x >> f) + half, (y >> f) + half);
+    return code > map.texel(texel_index(map.spec, x), texel_index(map.spec, y));
 }
 
 template <class Depth>
 bool bilinear_shadows(const LightMap<Depth>& map, std::int64_t x, std::int64_t y,
                       std::int64_t code) {
-    const int f = map.spec.fraction_bits, half = map.spec.half_px();
+    const int f = map.spec.fraction_bits;
     if (f == 0) return nearest_shadows(map, x, y, code);  // no fraction, no weights
     const std::int64_t one = std::int64_t{1} << f;
     const std::int64_t cx = x - one / 2, cy = y - one / 2;  // texel centres at whole numbers
-    const std::int64_t tx = (cx >> f) + half, ty = (cy >> f) + half;
+    const std::int64_t tx = texel_index(map.spec, cx), ty = texel_index(map.spec, cy);
     const std::int64_t fx = cx & (one - 1), fy = cy & (one - 1);
     const std::uint32_t z00 = map.texel(tx, ty), z10 = map.texel(tx + 1, ty);
     const std::uint32_t z01 = map.texel(tx, ty + 1), z11 = map.texel(tx + 1, ty + 1);
@@ -61,17 +65,29 @@ bool bilinear_shadows(const LightMap<Depth>& map, std::int64_t x, std::int64_t y
     return code * one * one > blend;
 }
 
+// Where a point stands in the light's volume: X and Y dithered, Z as the code to compare.
+struct LightPlace {
+    bool inside;
+    std::int64_t x, y, code;
+};
+
 // `p` from the transform unit, `d` the place's dither words (0 where dither is off).
+constexpr LightPlace light_place(const hw::MachineSpec& spec, const hw::Point& p,
+                                 const hw::DitherWords& d) {
+    if (p.status != hw::DivideStatus::ok) return {false, 0, 0, 0};
+    const std::int64_t x = p.x + d.x, y = p.y + d.y, code = p.z + spec.depth_offset();
+    const std::int64_t edge = std::int64_t{spec.half_px()} << spec.fraction_bits;
+    const bool inside = x >= -edge && x < edge && y >= -edge && y < edge && code >= 0 &&
+                        code <= spec.deepest_drawn();
+    return {inside, x, y, code};
+}
+
 template <class Depth>
 bool in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherWords& d) {
-    if (p.status != hw::DivideStatus::ok) return false;
-    const std::int64_t x = p.x + d.x, y = p.y + d.y;
-    const std::int64_t edge = std::int64_t{map.spec.half_px()} << map.spec.fraction_bits;
-    if (x < -edge || x >= edge || y < -edge || y >= edge) return false;
-    const std::int64_t code = p.z + map.spec.depth_offset();
-    if (code < 0 || code > map.spec.deepest_drawn()) return false;
-    return map.lookup == Lookup::nearest ? nearest_shadows(map, x, y, code)
-                                         : bilinear_shadows(map, x, y, code);
+    const LightPlace at = light_place(map.spec, p, d);
+    if (!at.inside) return false;
+    return map.lookup == Lookup::nearest ? nearest_shadows(map, at.x, at.y, at.code)
+                                         : bilinear_shadows(map, at.x, at.y, at.code);
 }
 
 }  // namespace umbra78::shadow

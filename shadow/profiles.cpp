@@ -12,12 +12,21 @@ using enum Confidence;
 constexpr std::string_view chip =
     "TRW MPY-16/TDC1010J class 16 x 16 multiplier(-accumulator), sold from 1976: 155 to 165 ns "
     "from memory, not from a data sheet";
+constexpr std::string_view grade =
+    "the 200 ns grade (-3) of Mostek's MK4116 16K x 1 RAM, as later texts give it";
+constexpr std::string_view page_mode = "the same grade's page mode, from memory, not a data sheet";
 constexpr std::string_view ours = "this project's choice";
 
 constexpr std::array affine16{
     ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
     ProfileValue{"multipliers", 4, assumed, "a row a clock, as in Evans & Sutherland's units"},
     ProfileValue{"clock_ns", 200, assumed, chip},
+    ProfileValue{"dram_access_ns", 200, published, grade},
+    ProfileValue{"dram_cycle_ns", 375, published, grade},
+    ProfileValue{"dram_column_ns", 135, assumed, page_mode},
+    ProfileValue{"dram_page_ns", 225, assumed, page_mode},
+    ProfileValue{"dram_rows", 0, assumed, "a page of four scan lines; a counter refreshes"},
+    ProfileValue{"video", 1, assumed, "the observer's buffer is on a monitor, the light's is not"},
 };
 constexpr std::array affine16x1{
     ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},

@@ -11,6 +11,8 @@ constexpr std::array<std::string_view, 7> rounding_names{
     "floor", "ceiling", "to_zero", "half_up", "half_to_zero", "half_away", "half_even"};
 constexpr std::array<std::string_view, 2> divide_names{"exact", "round_first"};
 constexpr std::array<std::string_view, 2> divider_names{"serial", "pipelined"};
+constexpr std::array<std::string_view, 2> dram_rows_names{"lines", "words"};
+constexpr std::array<std::string_view, 3> video_names{"off", "observer", "all"};
 constexpr std::array<std::string_view, 2> sampling_names{"leaf", "centre"};
 constexpr std::array<std::string_view, 2> registration_names{"centre", "index"};
 constexpr std::array<std::string_view, 2> lookup_names{"nearest", "bilinear"};
@@ -119,6 +121,20 @@ constexpr std::array table{
                                              "the noise registers advance so far in a cycle"),
     whole<UMBRA78_ACCESS(timing.light_banks)>(
         "light_banks", "banks", 1, 4, "light-map words read in a cycle: 1, or 2 x 2 texels' 4"),
+    whole<UMBRA78_ACCESS(timing.dram.access_ns)>("dram_access_ns", "ns", 1, 1000,
+                                                 "a frame store's chip: from a closed row to data"),
+    whole<UMBRA78_ACCESS(timing.dram.cycle_ns)>(
+        "dram_cycle_ns", "ns", 1, 1000, "from one opening of a chip's row to the next"),
+    whole<UMBRA78_ACCESS(timing.dram.column_ns)>(
+        "dram_column_ns", "ns", 1, 1000, "from a column of the open row to data"),
+    whole<UMBRA78_ACCESS(timing.dram.page_ns)>(
+        "dram_page_ns", "ns", 0, 1000,
+        "from one column of the open row to the next; 0: no row is left open"),
+    choice<UMBRA78_ACCESS(timing.dram.rows)>(
+        "dram_rows", dram_rows_names,
+        "a row of the chips holds whole scan lines, or words far apart, which video refreshes"),
+    choice<UMBRA78_ACCESS(timing.dram.video)>(
+        "video", video_names, "frame stores read out to a monitor during the post-process"),
 };
 
 #undef UMBRA78_ACCESS

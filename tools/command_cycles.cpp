@@ -2,6 +2,7 @@
 #include "tools/commands.hpp"
 #include "tools/cycle_report.hpp"
 #include "tools/figure_set.hpp"
+#include "tools/memory_report.hpp"
 #include "tools/report.hpp"
 #include "tools/scene_file.hpp"
 #include "tools/settings_text.hpp"
@@ -30,6 +31,12 @@ void print_claim(const CostClaim& claim) {
                claim.both_views, claim.transformation, claim.depth_complexity);
 }
 
+// The replay is of the fixed-point machine's post-process.
+bool has_memory(const LoadedScene& scene) {
+    return scene.settings.arithmetic == shadow::Arithmetic::fixed &&
+           scene.settings.form == shadow::Form::post_process;
+}
+
 void one_profile(const Options& options, const LoadedScene& scene) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
@@ -37,6 +44,7 @@ void one_profile(const Options& options, const LoadedScene& scene) {
     const int clock_ns = scene.settings.timing.clock_ns;
     if (options.json) {
         ordered_json json{{"scene", options.scene}, {"ledger", to_json(ledger, clock_ns)}};
+        if (has_memory(scene)) json["memory"] = to_json(job.replay_memory());
         json["settings"] = settings_json(scene.settings);
         fmt::print("{}", print(json));
         return;
@@ -45,6 +53,7 @@ void one_profile(const Options& options, const LoadedScene& scene) {
                print_frame(ledger, clock_ns),
                ledger.array ? print_array(*ledger.array, clock_ns)
                             : print_post_process(ledger.post_process, clock_ns));
+    if (has_memory(scene)) fmt::print("{}\n", print_memory(job.replay_memory()));
     print_claim(cost_claim(ledger));
 }
 

@@ -99,6 +99,17 @@ shadow::FrameLedger RenderJob::ledger() const {
         frame_);
 }
 
+shadow::MemoryLedger RenderJob::replay_memory() const {
+    const hw::MatrixWords& matrix = matrices_.observer_to_light;
+    const shadow::PostProcessPlan plan(settings_, matrix);
+    return std::visit(
+        [&](const auto& frame) {
+            return shadow::replay_memory(frame.observer, matrix, settings_,
+                                         static_cast<std::uint64_t>(plan.slot_cycles));
+        },
+        frame_);
+}
+
 const char* name_of(Plane plane) {
     constexpr const char* names[] = {"observer_z", "light_z",  "intensity", "mask",
                                      "edges",      "filtered", "picture"};

@@ -8,6 +8,7 @@
 #include "shadow/ap120b_cost.hpp"
 #include "shadow/frame.hpp"
 #include "shadow/ledger.hpp"
+#include "shadow/memory_replay.hpp"
 #include "tools/buffers.hpp"
 
 #include <array>
@@ -67,6 +68,8 @@ public:
     const StageTimes& times() const { return times_; }
     // What the frame takes on the machine; draws both views once more, to count.
     shadow::FrameLedger ledger() const;
+    // The post-process again, through memory of the time.
+    shadow::MemoryLedger replay_memory() const;
     std::size_t frame_bytes() const { return bytes_; }
 
     // A view into the frame, as it stands.

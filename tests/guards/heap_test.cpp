@@ -1,6 +1,7 @@
 // A whole frame allocates nothing and fits in 3 MiB: every call of malloc is counted, and operator
 // new ends there too. Under AddressSanitizer, which has its own malloc, its hook counts.
 #include "shadow/frame.hpp"
+#include "shadow/memory_replay.hpp"
 #include "shadow/paper_figures.hpp"
 #include "tests/support/effort.hpp"
 
@@ -95,6 +96,16 @@ TEST(Heap, AFrameAllocatesNothing) {
             }
         }
     }
+}
+
+TEST(Heap, AReplayAllocatesNothing) {
+    Settings s;
+    s.machine.xy_bits = 5;
+    std::vector<hw::Depth16> depth(32 * 32, 1000);
+    const hw::FrameStore<hw::Depth16> observer{5, depth, {}};
+    MemoryLedger ledger;
+    EXPECT_EQ(allocations([&] { ledger = replay_memory(observer, hw::MatrixWords{}, s, 3); }), 0);
+    EXPECT_EQ(ledger.light.accesses, 1024u) << "something is replayed";
 }
 
 }  // namespace

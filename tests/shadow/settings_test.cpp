@@ -25,14 +25,16 @@ auto members(const Settings& s) {
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, transform_rounding,
                  coefficient_rounding, depth_rounding, divide_order] = machine;
     const auto& [shape, size_q8, seed] = dither;
-    const auto& [clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits, light_banks] =
-        timing;
+    const auto& [clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits, light_banks,
+                 dram] = timing;
+    const auto& [access_ns, cycle_ns, column_ns, page_ns, rows, video] = dram;
     return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                            transform_rounding, coefficient_rounding, depth_rounding, divide_order,
                            sampling, registration, lookup, background, bias_q16, bias_unit, shape,
                            size_q8, seed, dequantize_passes, low_pass_passes, ambient_q8,
                            density_q8, form, clock_ns, multiply_ns, add_ns, register_ns, divider,
-                           noise_bits, light_banks, arithmetic, array_memory);
+                           noise_bits, light_banks, access_ns, cycle_ns, column_ns, page_ns,
+                           rows, video, arithmetic, array_memory);
 }
 constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
 
@@ -128,7 +130,10 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"multiply_ns", 160},   {"add_ns", 60},
         {"register_ns", 20},    {"divider", 0},
         {"noise_bits", 192},    {"light_banks", 1},
-        {"arithmetic", 0},      {"array_memory", 0}};
+        {"arithmetic", 0},      {"array_memory", 0},
+        {"dram_access_ns", 200}, {"dram_cycle_ns", 375},
+        {"dram_column_ns", 135}, {"dram_page_ns", 225},
+        {"dram_rows", 0},       {"video", 1}};
     EXPECT_EQ(expected.size(), settings_table().size());
     for (const Setting& row : settings_table()) {
         const auto at = expected.find(row.key);
@@ -176,6 +181,11 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("dither", "normal", hw::DitherShape::normal));
     all.push_back(named("divider", "serial", hw::Divider::serial));
     all.push_back(named("divider", "pipelined", hw::Divider::pipelined));
+    all.push_back(named("dram_rows", "lines", hw::DramRows::lines));
+    all.push_back(named("dram_rows", "words", hw::DramRows::words));
+    all.push_back(named("video", "off", hw::Video::off));
+    all.push_back(named("video", "observer", hw::Video::observer));
+    all.push_back(named("video", "all", hw::Video::all));
     all.push_back(named("form", "post_process", Form::post_process));
     all.push_back(named("form", "correct", Form::correct));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
