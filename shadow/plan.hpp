@@ -6,7 +6,7 @@
 // never changes a bit of any buffer: what would is a setting of the machine, not an omission.
 //
 // Plan{} leaves out nothing, so the work is done and seen to do nothing; the tests draw frames
-// both ways. The cycles an omission saves are in shadow/savings.hpp, the words in tools/.
+// both ways. The cycles an omission saves are in shadow/plan_cost.hpp, the words in tools/.
 #pragma once
 
 #include "shadow/inputs.hpp"

@@ -18,8 +18,8 @@
 namespace umbra78::tools {
 
 struct StageTimes {
-    double matrices_ms = 0,  // and the plan
-            light_ms = 0, observer_ms = 0, post_process_ms = 0, filters_ms = 0;
+    double matrices_ms = 0;  // and the plan
+    double light_ms = 0, observer_ms = 0, post_process_ms = 0, filters_ms = 0;
     double total_ms() const {
         return matrices_ms + light_ms + observer_ms + post_process_ms + filters_ms;
     }
