@@ -91,9 +91,10 @@ Saving saving(Omission omission, const Plan& plan, const DrawnFrame& drawn) {
     using enum Omission;
     Saving s;
     s.counted = !is(omission, {light_shading, same_depth});
-    s.after_drawing = is(omission, {divide, w_row, constant_product, background_pixels,
-                                    post_process, same_mask}) ||
-                      (omission == noise && drawn.inputs.settings.form == Form::correct);
+    // The correct form's points are counted as they are drawn; pixels, but for the visible, before.
+    s.after_drawing = is(omission, {background_pixels, post_process, same_mask}) ||
+                      (drawn.inputs.settings.form == Form::correct &&
+                       is(omission, {divide, w_row, constant_product, noise}));
     if (!plan.leaves_out(omission)) return s;
     Plan with = plan;
     for (std::size_t k = static_cast<std::size_t>(omission) + 1; k < omission_count; ++k)
