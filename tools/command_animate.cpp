@@ -15,6 +15,7 @@
 #include <chrono>
 #include <csignal>
 #include <memory>
+#include <set>
 
 namespace umbra78::tools {
 namespace {
@@ -99,6 +100,7 @@ private:
             throw;
         }
     }
+    void warn();
     void draw(int frame);
     void store(const std::string& file, const std::string& inputs);
     void report(int frame, const ordered_json& row) const;
@@ -111,6 +113,7 @@ private:
     std::unique_ptr<LoadedScene> drawn_;  // of what the job holds: its spans must live
     std::unique_ptr<RenderJob> job_;
     Manifest old_, manifest_;
+    std::set<std::string> warned_;
     ordered_json rows_ = ordered_json::array();
     int drawn_frames_ = 0;
     Clock::time_point start_ = Clock::now();
@@ -131,9 +134,17 @@ void Sequence::store(const std::string& file, const std::string& inputs) {
     files.commit();
 }
 
+// Of what has not been said of a frame before.
+void Sequence::warn() {
+    for (const std::string& warning : scene_->warnings)
+        if (warned_.insert(warning).second)
+            fmt::print(stderr, "umbra78: warning: {}\n", warning);
+}
+
 void Sequence::draw(int frame) {
     const auto start = Clock::now();
     if (frame > 1) scene_ = load(frame);
+    warn();
     const std::string file = fmt::format("frame_{:04}.png", frame), inputs = hash_inputs(*scene_);
     const ManifestEntry* there = find_drawn(old_, folder_, file, inputs);
     ordered_json& row = rows_.emplace_back(ordered_json{{"frame", frame}, {"file", file}});
@@ -179,8 +190,6 @@ void Sequence::show_progress(int frame) const {
 
 void Sequence::run() {
     const Interruptible interruptible;
-    for (const std::string& warning : scene_->warnings)
-        fmt::print(stderr, "umbra78: warning: {}\n", warning);
     for (int frame = 1; frame <= options_.frames; ++frame) {
         draw(frame);
         if (!options_.json) report(frame, rows_.back());
@@ -198,9 +207,9 @@ void Sequence::run() {
 
 ordered_json Sequence::to_json() const {
     const std::chrono::duration<double, std::milli> ms = Clock::now() - start_;
-    return {{"scene", options_.scene},          {"out", folder_.string()},
-            {"frames", rows_},                  {"drawn", drawn_frames_},
-            {"total_host_ms", ms.count()}};
+    return {{"scene", options_.scene}, {"out", folder_.string()},
+            {"frames", rows_},         {"drawn", drawn_frames_},
+            {"warnings", warned_},     {"total_host_ms", ms.count()}};
 }
 
 void Sequence::print_summary() const {
