@@ -1,4 +1,4 @@
-// What a frame costs the machine under a plan, in cycles of each unit, and what each omission saves.
+// What a frame costs the machine under a plan, in cycles of each unit, and what omissions save.
 //
 //   cost(plan)  = sum over stages of points x cycles a point, words x cycles a word
 //   saved by o  = cost(the omissions before o) - cost(those and o),   in the order of the enum

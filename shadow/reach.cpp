@@ -69,7 +69,9 @@ struct Extremes {
         least = std::min(least, v);
         greatest = std::max(greatest, v);
     }
-    bool beyond(std::int64_t low, std::int64_t high) const { return greatest < low || least > high; }
+    bool beyond(std::int64_t low, std::int64_t high) const {
+        return greatest < low || least > high;
+    }
 };
 
 // Whether a point of the box, dithered, may lie in the light's volume.

@@ -36,7 +36,7 @@ Plan put_back(Plan plan, std::size_t omission) {
     return plan;
 }
 
-// --- leaving out ----------------------------------------------------------------------------------
+// --- leaving out --------------------------------------------------------------------------------
 
 TEST(Plan, LeavingOutChangesNoBit) {
     std::set<std::size_t> seen;
@@ -102,7 +102,7 @@ TEST(Plan, AWrongOmissionIsSeen) {
     }
 }
 
-// --- reasons --------------------------------------------------------------------------------------
+// --- reasons ------------------------------------------------------------------------------------
 
 Reason reason(const PlannedScene& planned, Omission o) {
     return make_plan(PlannedFrame(planned).inputs).at(o).reason;

@@ -52,7 +52,7 @@ std::string draw_over(const PlannedScene& before, const PlannedScene& now) {
     return kept(plan);
 }
 
-// --- settings -------------------------------------------------------------------------------------
+// --- settings -----------------------------------------------------------------------------------
 
 std::int64_t another(const Setting& setting, const Settings& s) {
     const std::int64_t v = setting.get(s);
@@ -127,7 +127,7 @@ TEST(Standing, WhatIsNotReadMayChange) {
     EXPECT_EQ(draw_over(base, changed), "LDO");
 }
 
-// --- scene and views ------------------------------------------------------------------------------
+// --- scene and views ----------------------------------------------------------------------------
 
 TEST(Standing, TheLightMoves) {
     for (const char* name : {"figure 6", "point light", "floor"}) {

@@ -134,9 +134,9 @@ TEST_F(Animate, AChangedInputIsDrawnAgain) {
 TEST_F(Animate, GoesOnWhereItWasInterrupted) {
     const std::string arguments =
         figures_scene + " --frames 25 --observer 0:40 --set xy_bits=8 --out ";
-    const std::string cut = "animate " + arguments + "a & p=$!; n=0; while [ ! -e a/frame_0002.png ]"
-                            " && [ $n -lt 2000 ]; do sleep 0.01; n=$((n + 1)); done;"
-                            " kill -INT $p; wait $p";
+    const std::string cut =
+        "animate " + arguments + "a & p=$!; n=0; while [ ! -e a/frame_0002.png ] && "
+        "[ $n -lt 2000 ]; do sleep 0.01; n=$((n + 1)); done; kill -INT $p; wait $p";
     const Ran ran = run("settings >/dev/null; { " UMBRA78_PROGRAM " " + cut + "; }");
     if (ran.exit_code == 0) GTEST_SKIP() << "it was done before it was interrupted";
     EXPECT_EQ(ran.exit_code, 1);

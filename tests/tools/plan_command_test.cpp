@@ -23,7 +23,8 @@ const json& omission(const json& report, const std::string& key) {
 }
 
 TEST_F(Program, PlanSaysWhatIsLeftOutAndWhy) {
-    const Ran ran = run("plan " + scenes + "figures.toml --set dither=none --set low_pass=0 --json");
+    const Ran ran =
+        run("plan " + scenes + "figures.toml --set dither=none --set low_pass=0 --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(ran.err, "");
     const json report = json::parse(ran.out);
