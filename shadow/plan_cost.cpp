@@ -15,11 +15,11 @@ std::uint64_t word(int v) { return static_cast<std::uint64_t>(v); }
 // Points through the unit; those of an affine matrix are divided only where that is put back.
 UnitCycles points(std::uint64_t count, const Settings& s, bool affine, bool divides,
                   const Plan& plan) {
-    const hw::UnitCost unit = hw::transform_cost(s.machine, affine, plan.unit_work());
+    const int unit = hw::transform_cycles(s.machine, affine, plan.unit_work());
     const int a_point =
         s.timing.divider == hw::Divider::serial ? hw::serial_divide_cycles(s.machine) : 1;
     UnitCycles c;
-    c.transform = count * word(unit.cycles_per_point);
+    c.transform = count * word(unit);
     if (divides) c.divide = count * word(a_point);
     return c;
 }

@@ -13,5 +13,6 @@ void add_plan_command(CLI::App&, int& exit_code);
 void add_animate_command(CLI::App&, int& exit_code);
 void add_settings_command(CLI::App&, int& exit_code);
 void add_bands_command(CLI::App&, int& exit_code);
+void add_cycles_command(CLI::App&, int& exit_code);
 
 }  // namespace umbra78::tools

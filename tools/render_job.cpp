@@ -16,8 +16,6 @@ double timed_ms(Stage stage) {
         .count();
 }
 
-constexpr std::uint64_t control_points = 16;
-
 }  // namespace
 
 RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings)
@@ -91,16 +89,13 @@ void RenderJob::render() {
     filter_and_composite();
 }
 
-MachineCost RenderJob::cost() const {
-    const auto drawing = [&](const hw::MatrixWords& matrix) {
-        const hw::UnitCost unit = hw::transform_cost(settings().machine, matrix.affine);
-        return control_points * inputs_.scene.patches.size() *
-               static_cast<std::uint64_t>(unit.cycles_per_point);
-    };
-    return {settings().timing.clock_ns, drawing(matrices().world_to_light),
-            drawing(matrices().world_to_observer),
-            shadow::post_process_cycles(counts_.post_process.visible, settings(),
-                                        matrices().observer_to_light.affine)};
+shadow::FrameLedger RenderJob::ledger() const {
+    return std::visit(
+        [&](const auto& frame) {
+            return shadow::frame_ledger(inputs_.scene, inputs_.settings, inputs_.matrices,
+                                        frame, counts_);
+        },
+        frame_);
 }
 
 const char* name_of(Plane plane) {

@@ -54,23 +54,6 @@ ordered_json to_json(const StageTimes& times) {
             {"total", times.total_ms()}};
 }
 
-ordered_json to_json(const MachineCost& cost) {
-    const shadow::PostProcessCycles& p = cost.post_process;
-    return {{"cycle_ns", cost.clock_ns},
-            {"light_transform_cycles", cost.light_cycles},
-            {"observer_transform_cycles", cost.observer_cycles},
-            {"transform_cycles", cost.transform_cycles()},
-            {"transform_ms", cost.transform_ms()},
-            {"post_process_cycles",
-             {{"read", p.read},
-              {"transform", p.transform},
-              {"divide", p.divide},
-              {"lookup", p.lookup},
-              {"write", p.write},
-              {"overlapped", p.overlapped()}}},
-            {"post_process_ms", simulated_ms(p.overlapped(), cost.clock_ns)}};
-}
-
 ordered_json to_json(const std::optional<ShadowReport>& report) {
     if (!report) return nullptr;
     ordered_json json = to_json(report->all);

@@ -21,10 +21,10 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, bands, settings, --help; see umbra78 --help"},
+                       "animate, cycles, bands, settings, --help; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, bands, settings, --help; see umbra78 --help"},
+                      "animate, cycles, bands, settings, --help; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
@@ -176,6 +176,23 @@ TEST_F(Program, SettingsAreTheTable) {
         EXPECT_NE(markdown.find("| `" + std::string(s.key) + "` "), std::string::npos);
     }
     EXPECT_EQ(table["profiles"].size(), shadow::profiles().size());
+}
+
+TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
+    const std::string scene = std::string(UMBRA78_SOURCE_DIR) + "/tools/scenes/figures.toml";
+    const json one = json::parse(run("cycles " + scene + " --json").out)["ledger"];
+    EXPECT_EQ(one["transformation"]["cycles"], 580249);
+    EXPECT_EQ(one["transformation"]["bottleneck"], "fetch");
+    EXPECT_EQ(one["phases"].size(), 5u);
+    const json single =
+        json::parse(run("cycles " + scene + " --profile affine16x1 --json").out)["ledger"];
+    EXPECT_EQ(single["transformation"]["bottleneck"], "multiply");
+    EXPECT_GT(single["frame_cycles"]["side_by_side"], one["frame_cycles"]["side_by_side"]);
+    const json all = json::parse(run("cycles " + scene + " --all --json").out)["profiles"];
+    EXPECT_EQ(all.size(), shadow::profiles().size());
+    EXPECT_NE(run("cycles " + scene).out.find("roughly twice"), std::string::npos);
+    const auto both = run("cycles " + scene + " --all --profile affine16");
+    EXPECT_EQ(both.exit_code, 2);
 }
 
 TEST_F(Program, BandsHasARowForEachReading) {
