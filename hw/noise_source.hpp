@@ -33,6 +33,14 @@ struct DitherWords {
     std::int32_t x, y;  // texels, MachineSpec::fraction_bits fraction bits
 };
 
+// Whether every dither word is 0: dither off, or so small that the largest sum rounds to 0.
+constexpr bool silent(const Dither& dither, const MachineSpec& spec) {
+    const int k = uniforms(dither.shape);
+    if (k == 0) return true;
+    const std::int64_t largest = 255 * k;
+    return largest * fixed::dither_amplitude(k, dither.size_q8, spec.fraction_bits) < 1 << 15;
+}
+
 // The noise of a run of successive pixels of one scan line.
 class NoiseSource {
 public:

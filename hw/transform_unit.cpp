@@ -70,31 +70,54 @@ LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, Wor
     return LoadStatus::ok;
 }
 
+TransformUnit::TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, WordFormat input,
+                             UnitWork work)
+    : spec_(spec), matrix_(matrix), input_(input), work_(work) {
+    for (std::size_t r = 0; r < 4; ++r)
+        constant_[r] = std::int64_t{matrix.word[r][3]} * input.one_word();
+}
+
+std::int64_t TransformUnit::sum(Row row, const Words& v) const {
+    if (!matrix_.affine || work_.constant_product)
+        return accumulate(matrix_, row, v, input_.one_word());
+    return accumulate(matrix_, row, v, 0) + constant_[static_cast<std::size_t>(row)];
+}
+
+// What an affine matrix has for W is the constant, whether it is summed up for the point or not.
+std::int64_t TransformUnit::sum_w(const Words& v) const {
+    return matrix_.affine && !work_.w_row ? constant_[3] : sum(Row::w, v);
+}
+
+Quotient TransformUnit::quotient(Row row, const Accumulators& acc, int fraction, int bits) const {
+    return fixed::divide(acc[static_cast<std::size_t>(row)], acc[3],
+                         divide_shift(matrix_, row, fraction), bits, spec_.transform_rounding);
+}
+
+std::int64_t TransformUnit::affine_row(Row row, const Words& v, int fraction) const {
+    if (work_.divide) {
+        const Accumulators acc{sum(Row::x, v), sum(Row::y, v), sum(Row::z, v), sum_w(v)};
+        return quotient(row, acc, fraction, 63).value;
+    }
+    return fixed::scale_shift(sum(row, v), affine_shift(matrix_, row, spec_, input_, fraction),
+                              spec_.transform_rounding);
+}
+
 Point TransformUnit::affine(const Words& v) const {
-    const std::int32_t one = input_.one_word();
-    const auto out = [&](Row row, int fraction) {
-        return fixed::scale_shift(accumulate(matrix_, row, v, one),
-                                  affine_shift(matrix_, row, spec_, input_, fraction),
-                                  spec_.transform_rounding);
-    };
-    return {out(Row::x, spec_.fraction_bits), out(Row::y, spec_.fraction_bits),
-            out(Row::z, spec_.depth_fraction()), DivideStatus::ok};
+    if (work_.w_row) fixed::require(sum_w(v) == constant_[3], "W row: not the constant");
+    return {affine_row(Row::x, v, spec_.fraction_bits), affine_row(Row::y, v, spec_.fraction_bits),
+            affine_row(Row::z, v, spec_.depth_fraction()), DivideStatus::ok};
 }
 
 Point TransformUnit::divided(const Words& v) const {
-    const std::int32_t one = input_.one_word();
-    Accumulators acc{};
-    for (std::size_t r = 0; r < 4; ++r) acc[r] = accumulate(matrix_, static_cast<Row>(r), v, one);
-    if (spec_.divide_order == DivideOrder::round_first) {
+    Accumulators acc{sum(Row::x, v), sum(Row::y, v), sum(Row::z, v), sum_w(v)};
+    if (spec_.divide_order == DivideOrder::round_first && !matrix_.affine) {
         // The knob that shows what it costs: x and w lose the product's low bits first.
         for (std::int64_t& a : acc)
             a = fixed::round_shift(a, spec_.coefficient_bits - 2, spec_.transform_rounding);
     }
     Point p{0, 0, 0, DivideStatus::ok};
     const auto out = [&](Row row, int fraction, int bits) {
-        const fixed::Quotient q =
-            fixed::divide(acc[static_cast<std::size_t>(row)], acc[3],
-                          divide_shift(matrix_, row, fraction), bits, spec_.transform_rounding);
+        const Quotient q = quotient(row, acc, fraction, bits);
         if (q.status != DivideStatus::ok) p.status = q.status;
         return q.value;
     };

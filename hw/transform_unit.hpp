@@ -81,6 +81,7 @@ constexpr int divide_shift(const MatrixWords& m, Row row, int out_fraction) {
 }
 
 using fixed::DivideStatus;
+using fixed::Quotient;
 
 struct Point {
     std::int64_t x, y;    // pixels from the centre, fraction_bits fraction bits
@@ -88,34 +89,56 @@ struct Point {
     DivideStatus status;  // of the perspective divide; ok where there is none
 };
 
+// What the unit computes of what an affine matrix makes constant. None of it changes a bit of a
+// frame; it is there to show that, and what it costs.
+struct UnitWork {
+    bool constant_product = false;  // c_r3 one for every point, not once for the matrix
+    bool w_row = false;             // acc_w for every point
+    bool divide = false;            // by that constant
+    constexpr bool operator==(const UnitWork&) const = default;
+};
+
 // The unit as the shadow post-process uses it: screen words in, screen words of another view out.
 class TransformUnit {
 public:
-    TransformUnit(const MachineSpec& spec, const MatrixWords& matrix)
-        : spec_(spec), matrix_(matrix), input_(screen_words(spec)) {}
+    TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, UnitWork work = {})
+        : TransformUnit(spec, matrix, screen_words(spec), work) {}
+    TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, WordFormat input,
+                  UnitWork work);
 
-    Point operator()(const Words& v) const { return matrix_.affine ? affine(v) : divided(v); }
+    Point operator()(const Words& v) const {
+        return matrix_.affine && !work_.divide ? affine(v) : divided(v);
+    }
 
     Point affine(const Words& v) const;
     Point divided(const Words& v) const;
+    // One row of an affine matrix, with `fraction` fraction bits, however it is come by.
+    std::int64_t affine_row(Row row, const Words& v, int fraction) const;
 
     const MatrixWords& matrix() const { return matrix_; }
     const MachineSpec& spec() const { return spec_; }
 
 private:
+    std::int64_t sum(Row row, const Words& v) const;
+    std::int64_t sum_w(const Words& v) const;
+    Quotient quotient(Row row, const Accumulators& acc, int fraction, int bits) const;
+
     MachineSpec spec_;
     MatrixWords matrix_;
     WordFormat input_;
+    UnitWork work_;
+    Accumulators constant_{};  // c_r3 one, preloaded
 };
 
 // Cycles a point takes of the multipliers. A 16 x 16 multiplier takes coefficients or words wider
 // than 16 bits in two passes each. Where w is 1 the fourth product is a preloaded constant and
 // the W row is left out, so an affine point costs 9 products; else 16.
-constexpr int transform_cycles(const MachineSpec& spec, bool affine) {
+constexpr int transform_cycles(const MachineSpec& spec, bool affine, UnitWork work = {}) {
     const int passes = (spec.coefficient_bits > 16 ? 2 : 1) * (spec.word_bits() > 16 ? 2 : 1);
-    const int rows = affine ? 3 : 4;
+    const int rows = affine && !work.w_row ? 3 : 4;
+    const int per_row = affine && !work.constant_product ? 3 : 4;
     switch (spec.multipliers) {
-        case 1: return rows * rows * passes;
+        case 1: return rows * per_row * passes;
         case 4: return rows * passes;
         default: return passes;
     }

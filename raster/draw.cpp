@@ -87,7 +87,8 @@ void BlockWalk::push_patch(const Patch& patch) {
     StackBlock& b = memory_.stack[depth_++];
     const ObjectWords words = to_object_words(patch, setup_.object);
     if (affine()) {
-        const auto c = affine_components(words, setup_.matrix, setup_.spec, setup_.object);
+        const auto c = affine_components(words, setup_.matrix, setup_.spec, setup_.object,
+                                         setup_.work);
         std::copy(c.begin(), c.end(), b.screen.begin());
     } else {
         b.screen = homogeneous_components(words, setup_.matrix, setup_.spec, setup_.object);

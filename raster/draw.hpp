@@ -54,6 +54,7 @@ struct DrawSetup {
     Sampling sampling = Sampling::centre;
     std::span<const Material> materials;
     ShadingSpec shading;
+    hw::UnitWork work{};  // of what an affine matrix makes constant
 };
 
 inline constexpr int deepest_level = 24;  // halvings in each direction

@@ -103,13 +103,12 @@ ObjectWords to_object_words(const Patch& patch, WordFormat format) {
 }
 
 std::array<Component, 3> affine_components(const ObjectWords& p, const MatrixWords& m,
-                                           const MachineSpec& spec, WordFormat format) {
+                                           const MachineSpec& spec, WordFormat format,
+                                           hw::UnitWork work) {
+    const hw::TransformUnit unit(spec, m, format, work);
     const auto row = [&](hw::Row r, int fraction) {
-        const int shift = hw::affine_shift(m, r, spec, format, fraction);
-        return component(p, [&](const hw::Words& v) {
-            return fixed::scale_shift(hw::accumulate(m, r, v, format.one_word()), shift,
-                                      spec.transform_rounding);
-        });
+        return component(p,
+                         [&](const hw::Words& v) { return unit.affine_row(r, v, fraction); });
     };
     return {row(hw::Row::x, raster_fraction), row(hw::Row::y, raster_fraction),
             row(hw::Row::z, spec.depth_fraction() + depth_guard(spec))};

@@ -26,7 +26,8 @@ using ObjectWords = std::array<hw::Words, 16>;
 ObjectWords to_object_words(const Patch& patch, WordFormat format);
 
 std::array<Component, 3> affine_components(const ObjectWords& p, const MatrixWords& m,
-                                           const MachineSpec& spec, WordFormat format);
+                                           const MachineSpec& spec, WordFormat format,
+                                           hw::UnitWork work = {});
 
 std::array<Component, 4> homogeneous_components(const ObjectWords& p, const MatrixWords& m,
                                                 const MachineSpec& spec, WordFormat format);

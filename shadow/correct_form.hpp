@@ -24,7 +24,12 @@ public:
     CorrectSink(hw::FrameStore<Depth>& store, const LightMap<Depth>& map,
                 const hw::TransformUnit& unit, const Settings& settings,
                 std::span<std::uint8_t> mask)
-        : store_(store), map_(map), unit_(unit), settings_(settings), mask_(mask) {}
+        : CorrectSink(store, map, unit, settings, mask, least_work(settings).noise) {}
+    CorrectSink(hw::FrameStore<Depth>& store, const LightMap<Depth>& map,
+                const hw::TransformUnit& unit, const Settings& settings,
+                std::span<std::uint8_t> mask, bool noise)
+        : store_(store), map_(map), unit_(unit), settings_(settings), mask_(mask),
+          draws_noise_(noise) {}
 
     // Nothing is left out: the machine transforms every point it generates.
     bool hidden(int, int, int, int, std::uint32_t) const { return false; }
@@ -60,8 +65,8 @@ private:
         return {word(s.x), word(s.y), pixel_words(s.px, s.py, code, settings_).z};
     }
     hw::DitherWords noise(const raster::Sample& s) const {
-        if (settings_.dither.shape == hw::DitherShape::none) return {0, 0};
-        return hw::NoiseSource(settings_.dither, settings_.machine, s.px, s.py).next();
+        if (!draws_noise_) return {0, 0};
+        return hw::NoiseSource(drawn_dither(settings_), settings_.machine, s.px, s.py).next();
     }
 
     hw::FrameStore<Depth>& store_;
@@ -69,6 +74,7 @@ private:
     const hw::TransformUnit& unit_;
     const Settings& settings_;
     std::span<std::uint8_t> mask_;
+    bool draws_noise_;
 };
 
 }  // namespace umbra78::shadow

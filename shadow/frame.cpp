@@ -50,15 +50,24 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
     return f;
 }
 
-raster::DrawSetup draw_setup(const Scene& scene, const Settings& settings,
-                             const FrameMatrices& matrices, const hw::MatrixWords& matrix) {
-    return {settings.machine,
+raster::DrawSetup draw_setup(const FrameInputs& in, const Plan& plan,
+                             const hw::MatrixWords& matrix) {
+    const hw::WordFormat object = in.matrices.object;
+    return {in.settings.machine,
             matrix,
-            matrices.object,
-            settings.sampling,
-            scene.materials,
-            {settings.ambient_q8, raster::toward_light(scene.light, matrices.object),
-             raster::toward_viewer(scene.observer, matrices.object)}};
+            object,
+            in.settings.sampling,
+            in.scene.materials,
+            {in.settings.ambient_q8, raster::toward_light(in.scene.light, object),
+             raster::toward_viewer(in.scene.observer, object)},
+            plan.unit_work()};
+}
+
+// Bytes that no stage leaves anything in: where work is done for nothing.
+template <class Depth>
+std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame) {
+    const std::span coverage = frame.edge_memory.coverage;
+    return {reinterpret_cast<std::uint8_t*>(coverage.data()), frame.mask.size()};
 }
 
 // The scene's patches by depth; a frame carved for more of them has room to spare.
@@ -70,6 +79,28 @@ std::span<const std::uint32_t> front_to_back(const Scene& scene, const raster::V
     const std::span order = frame.order.first(n);
     raster::order_front_to_back(scene.patches, view, order, frame.nearest);
     return order;
+}
+
+// Draws into what the store holds, each sample replacing or not.
+template <class Depth, class Sink>
+raster::DrawCounts draw_view(const FrameInputs& in, const Plan& plan, const raster::View& view,
+                             const hw::MatrixWords& matrix, FrameBuffers<Depth>& frame,
+                             Sink& sink) {
+    const std::span order = front_to_back(in.scene, view, frame);
+    return raster::draw(in.scene.patches, order, draw_setup(in, plan, matrix), *frame.draw, sink);
+}
+
+// Where Z stands still it is drawn upon once more for the intensities: only what lies at the
+// stored depth competes, from the greatest level down, and comes out as it would have.
+template <class Depth>
+void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store) {
+    for (std::size_t k = 0; k < store.depth.size(); ++k)
+        store.intensity[k] = store.depth[k] == spec.background() ? 0 : 255;
+}
+
+PostProcessWork work_of(const Plan& plan) {
+    return {plan.unit_work(), !plan.leaves_out(Omission::background_pixels),
+            !plan.leaves_out(Omission::noise)};
 }
 
 }  // namespace
@@ -92,108 +123,128 @@ FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& sp
     return f;
 }
 
-FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMatrices& out) {
-    using enum FrameStatus;
-    const hw::MachineSpec& spec = settings.machine;
-    if (hw::check(spec) != hw::SpecStatus::ok || !array_can(settings)) return spec_out_of_range;
-    out.object = raster::object_words(scene.patches);
-    const auto load = [&](const raster::View& view, hw::MatrixWords& words) {
-        return raster::load_view(view, spec, out.object, words) == hw::LoadStatus::ok;
+template <class Depth>
+void draw_light(const FrameInputs& in, const Plan& plan, FrameBuffers<Depth>& frame,
+                FrameCounts& counts) {
+    if (plan.leaves_out(Omission::same_light_map)) return;
+    counts.light = {};
+    frame.light.clear(in.settings.machine);
+    if (plan.leaves_out(Omission::light_map)) return;
+    const auto into = [&](auto sink) {
+        counts.light =
+            draw_view(in, plan, in.scene.light, in.matrices.world_to_light, frame, sink);
     };
-    if (!load(scene.observer, out.world_to_observer)) return observer_matrix;
-    if (!load(scene.light, out.world_to_light)) return light_matrix;
-    if (!bias_in_quanta(settings, bias_units(scene.light, spec), out.bias_quanta_q16))
-        return bias_out_of_range;
-    const hw::RationalMatrix exact = raster::observer_to_light(scene.observer, scene.light, spec,
-                                                               out.bias_quanta_q16);
-    if (hw::load_matrix(exact, spec, hw::screen_words(spec), out.observer_to_light) !=
-        hw::LoadStatus::ok)
-        return shadow_matrix;
-    if (settings.arithmetic == Arithmetic::ap120b) out.array = array_matrix(exact, settings);
-    return ok;
-}
-
-template <class Depth>
-void draw_light(const Scene& scene, const Settings& settings, const FrameMatrices& matrices,
-                FrameBuffers<Depth>& frame, FrameCounts& counts) {
-    frame.light.clear(settings.machine);
-    const std::span order = front_to_back(scene, scene.light, frame);
-    raster::DepthSink<Depth> sink{frame.light};
-    counts.light =
-        raster::draw(scene.patches, order,
-                     draw_setup(scene, settings, matrices, matrices.world_to_light), *frame.draw,
-                     sink);
-}
-
-template <class Depth>
-void draw_observer(const Scene& scene, const Settings& settings, const FrameMatrices& matrices,
-                   FrameBuffers<Depth>& frame, FrameCounts& counts) {
-    frame.observer.clear(settings.machine);
-    const std::span order = front_to_back(scene, scene.observer, frame);
-    const raster::DrawSetup setup =
-        draw_setup(scene, settings, matrices, matrices.world_to_observer);
-    if (settings.form == Form::post_process) {
-        raster::PictureSink<Depth> sink{frame.observer};
-        counts.observer = raster::draw(scene.patches, order, setup, *frame.draw, sink);
+    if (plan.leaves_out(Omission::light_shading)) {
+        into(raster::DepthSink<Depth>{frame.light});
         return;
     }
-    std::fill(frame.mask.begin(), frame.mask.end(), mask_lit);
-    const hw::TransformUnit unit(settings.machine, matrices.observer_to_light);
-    const LightMap<Depth> map{frame.light, settings.machine, settings.lookup,
-                              settings.background};
-    CorrectSink<Depth> sink(frame.observer, map, unit, settings, frame.mask);
-    counts.observer = raster::draw(scene.patches, order, setup, *frame.draw, sink);
+    hw::FrameStore<Depth> shaded = frame.light;
+    shaded.intensity = scratch(frame);
+    into(raster::PictureSink<Depth>{shaded});
 }
 
 template <class Depth>
-void cast_shadows(const Settings& settings, const FrameMatrices& matrices,
-                  FrameBuffers<Depth>& frame, FrameCounts& counts) {
-    if (settings.form == Form::correct) {  // done point by point; the mask is there
+void draw_observer(const FrameInputs& in, const Plan& plan, FrameBuffers<Depth>& frame,
+                   FrameCounts& counts) {
+    if (plan.leaves_out(Omission::same_observer)) return;
+    const Settings& settings = in.settings;
+    const auto into = [&](auto sink) {
+        counts.observer =
+            draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame, sink);
+    };
+    const bool correct = settings.form == Form::correct;
+    if (correct) std::fill(frame.mask.begin(), frame.mask.end(), mask_lit);
+    if (!correct || plan.leaves_out(Omission::post_process)) {
+        if (plan.leaves_out(Omission::same_depth)) {
+            clear_intensities(settings.machine, frame.observer);
+        } else {
+            frame.observer.clear(settings.machine);
+        }
+        into(raster::PictureSink<Depth>{frame.observer});
+        return;
+    }
+    frame.observer.clear(settings.machine);
+    const hw::TransformUnit unit(settings.machine, in.matrices.observer_to_light,
+                                 plan.unit_work());
+    const LightMap<Depth> map{frame.light, settings.machine, settings.lookup,
+                              settings.background};
+    into(CorrectSink<Depth>(frame.observer, map, unit, settings, frame.mask,
+                            work_of(plan).noise));
+}
+
+template <class Depth>
+void cast_shadows(const FrameInputs& in, const Plan& plan, FrameBuffers<Depth>& frame,
+                  FrameCounts& counts) {
+    if (plan.leaves_out(Omission::same_mask)) return;
+    if (plan.leaves_out(Omission::post_process)) {
+        counts.post_process = {};
+        std::fill(frame.mask.begin(), frame.mask.end(), mask_lit);
+        return;
+    }
+    if (in.settings.form == Form::correct) {  // done point by point; the mask is there
         counts.post_process.visible = counts.observer.samples;
         counts.post_process.shadowed = static_cast<std::uint64_t>(
             std::count(frame.mask.begin(), frame.mask.end(), mask_shadow));
         return;
     }
-    if (settings.arithmetic == Arithmetic::ap120b) {
-        counts.post_process =
-            array_post_process(frame.observer, frame.light, matrices.array,
-                               matrices.observer_to_light.affine, settings, frame.mask);
+    const hw::MatrixWords& matrix = in.matrices.observer_to_light;
+    if (in.settings.arithmetic == Arithmetic::ap120b) {
+        counts.post_process = array_post_process(frame.observer, frame.light, in.matrices.array,
+                                                 matrix.affine, in.settings, frame.mask);
         return;
     }
     if constexpr (sizeof(Depth) == sizeof(hw::Depth16)) {
-        if (rows_cover(settings, matrices.observer_to_light)) {
-            counts.post_process =
-                post_process_rows(frame.observer, frame.light, matrices.observer_to_light,
-                                  settings, *frame.rows, frame.mask);
+        if (work_of(plan) == least_work(in.settings) && rows_cover(in.settings, matrix)) {
+            counts.post_process = post_process_rows(frame.observer, frame.light, matrix,
+                                                    in.settings, *frame.rows, frame.mask);
             return;
         }
     }
-    counts.post_process = post_process(frame.observer, frame.light, matrices.observer_to_light,
-                                       settings, frame.mask);
+    counts.post_process = post_process(frame.observer, frame.light, matrix, in.settings,
+                                       work_of(plan), frame.mask);
 }
 
 template <class Depth>
-void filter_and_composite(const Settings& settings, FrameBuffers<Depth>& frame,
+void filter_and_composite(const FrameInputs& in, const Plan& plan, FrameBuffers<Depth>& frame,
                           FrameCounts& counts) {
+    if (plan.leaves_out(Omission::same_picture)) return;
+    const Settings& settings = in.settings;
     const auto none = static_cast<Depth>(settings.machine.background());
-    std::copy(frame.mask.begin(), frame.mask.end(), frame.edges.begin());
+    const auto copy = [](std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
+        std::copy(from.begin(), from.end(), to.begin());
+    };
+    copy(frame.mask, frame.edges);
     counts.chain_steps = 0;
-    if (settings.dequantize_passes > 0)
-        counts.chain_steps =
-            dequantize(frame.mask, frame.observer, none, settings.dequantize_passes,
-                       frame.edge_memory, frame.edges);
-    std::copy(frame.edges.begin(), frame.edges.end(), frame.filtered.begin());
-    for (int pass = 0; pass < settings.low_pass_passes; ++pass) {
-        // The picture's plane is free until the composite.
-        low_pass<Depth>(frame.filtered, frame.observer, none, frame.picture);
-        std::copy(frame.picture.begin(), frame.picture.end(), frame.filtered.begin());
+    if (!plan.leaves_out(Omission::dequantize))
+        counts.chain_steps = dequantize<Depth>(frame.mask, frame.observer, none,
+                                               settings.dequantize_passes, frame.edge_memory,
+                                               frame.edges);
+    copy(frame.edges, frame.filtered);
+    if (!plan.leaves_out(Omission::low_pass)) {
+        for (int pass = 0; pass < settings.low_pass_passes; ++pass) {
+            // The picture's plane is free until the composite.
+            low_pass<Depth>(frame.filtered, frame.observer, none, frame.picture);
+            copy(frame.picture, frame.filtered);
+        }
+        if (settings.low_pass_passes == 0)  // a pass whose result nobody takes
+            low_pass<Depth>(frame.filtered, frame.observer, none, scratch(frame));
     }
-    if (settings.form == Form::correct) {  // the shadow is in the shading already
-        std::copy(frame.observer.intensity.begin(), frame.observer.intensity.end(),
-                  frame.picture.begin());
+    if (plan.leaves_out(Omission::composite)) {
+        copy(frame.observer.intensity, frame.picture);
         return;
     }
-    composite(frame.observer.intensity, frame.filtered, settings.density_q8, frame.picture);
+    // In the correct form the shadow is in the shading already: nothing more is darkened.
+    const int density = settings.form == Form::correct ? 0 : settings.density_q8;
+    composite(frame.observer.intensity, frame.filtered, density, frame.picture);
+}
+
+template <class Depth>
+void draw_frame(const FrameInputs& in, const Plan& plan, FrameBuffers<Depth>& frame,
+                FrameCounts& counts) {
+    draw_light(in, plan, frame, counts);
+    draw_observer(in, plan, frame, counts);
+    cast_shadows(in, plan, frame, counts);
+    filter_and_composite(in, plan, frame, counts);
 }
 
 template <class Depth>
@@ -201,28 +252,27 @@ FrameStatus render(const Scene& scene, const Settings& settings, FrameBuffers<De
                    FrameMatrices& matrices, FrameCounts& counts) {
     const FrameStatus status = load_matrices(scene, settings, matrices);
     if (status != FrameStatus::ok) return status;
-    draw_light(scene, settings, matrices, frame, counts);
-    draw_observer(scene, settings, matrices, frame, counts);
-    cast_shadows(settings, matrices, frame, counts);
-    filter_and_composite(settings, frame, counts);
+    const FrameInputs in{scene, settings, matrices};
+    draw_frame(in, make_plan(in), frame, counts);
     return status;
 }
 
+#define UMBRA78_STAGE(Depth, stage) \
+    template void stage(const FrameInputs&, const Plan&, FrameBuffers<Depth>&, FrameCounts&);
 #define UMBRA78_FRAME(Depth)                                                                      \
     template std::size_t frame_bytes<Depth>(const hw::MachineSpec&, std::size_t);                 \
     template FrameBuffers<Depth> carve(std::span<std::byte>, const hw::MachineSpec&,              \
                                        std::size_t);                                              \
-    template void draw_light(const Scene&, const Settings&, const FrameMatrices&,                 \
-                             FrameBuffers<Depth>&, FrameCounts&);                                 \
-    template void draw_observer(const Scene&, const Settings&, const FrameMatrices&,              \
-                                FrameBuffers<Depth>&, FrameCounts&);                              \
-    template void cast_shadows(const Settings&, const FrameMatrices&, FrameBuffers<Depth>&,       \
-                               FrameCounts&);                                                     \
-    template void filter_and_composite(const Settings&, FrameBuffers<Depth>&, FrameCounts&);      \
+    UMBRA78_STAGE(Depth, draw_light)                                                              \
+    UMBRA78_STAGE(Depth, draw_observer)                                                           \
+    UMBRA78_STAGE(Depth, cast_shadows)                                                            \
+    UMBRA78_STAGE(Depth, filter_and_composite)                                                    \
+    UMBRA78_STAGE(Depth, draw_frame)                                                              \
     template FrameStatus render(const Scene&, const Settings&, FrameBuffers<Depth>&,              \
                                 FrameMatrices&, FrameCounts&);
 UMBRA78_FRAME(hw::Depth16)
 UMBRA78_FRAME(hw::Depth32)
 #undef UMBRA78_FRAME
+#undef UMBRA78_STAGE
 
 }  // namespace umbra78::shadow

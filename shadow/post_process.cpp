@@ -9,25 +9,25 @@ namespace umbra78::shadow {
 template <class Depth>
 PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
                                const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const Settings& settings, std::span<std::uint8_t> mask) {
+                               const Settings& settings, const PostProcessWork& work,
+                               std::span<std::uint8_t> mask) {
     const hw::MachineSpec& spec = settings.machine;
-    const hw::TransformUnit unit(spec, matrix);
+    const hw::TransformUnit unit(spec, matrix, work.unit);
     const LightMap<Depth> map{light, spec, settings.lookup, settings.background};
-    const bool dithered = settings.dither.shape != hw::DitherShape::none;
     PostProcessCounts counts;
     for (int y = 0; y < spec.size_px(); ++y) {
         // The noise is clocked at every pixel, visible or not.
-        hw::Dither dither = settings.dither;
-        if (!dithered) dither.shape = hw::DitherShape::uniform;
-        hw::NoiseSource noise(dither, spec, 0, y);
+        hw::NoiseSource noise(drawn_dither(settings), spec, 0, y);
         for (int x = 0; x < spec.size_px(); ++x) {
-            const hw::DitherWords d = dithered ? noise.next() : hw::DitherWords{0, 0};
+            const hw::DitherWords d = work.noise ? noise.next() : hw::DitherWords{0, 0};
             const std::size_t a = observer.address(x, y);
             const std::uint32_t code = observer.depth[a];
+            const bool visible = code != spec.background();
             mask[a] = mask_lit;
-            if (code == spec.background()) continue;
+            if (!visible && !work.background) continue;
             ++counts.visible;
             if (!in_shadow(map, unit(pixel_words(x, y, code, settings)), d)) continue;
+            if (!visible) continue;  // transformed for nothing
             ++counts.shadowed;
             mask[a] = mask_shadow;
         }
@@ -38,10 +38,10 @@ PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
 template PostProcessCounts post_process(const hw::FrameStore<hw::Depth16>&,
                                         const hw::FrameStore<hw::Depth16>&,
                                         const hw::MatrixWords&, const Settings&,
-                                        std::span<std::uint8_t>);
+                                        const PostProcessWork&, std::span<std::uint8_t>);
 template PostProcessCounts post_process(const hw::FrameStore<hw::Depth32>&,
                                         const hw::FrameStore<hw::Depth32>&,
                                         const hw::MatrixWords&, const Settings&,
-                                        std::span<std::uint8_t>);
+                                        const PostProcessWork&, std::span<std::uint8_t>);
 
 }  // namespace umbra78::shadow

@@ -31,6 +31,23 @@ constexpr hw::Words pixel_words(int px, int py, std::uint32_t code, const Settin
     return {word(px), word(py), static_cast<std::int32_t>(z)};
 }
 
+// What the plain form does of what can change nothing, and whether it draws the noise.
+struct PostProcessWork {
+    hw::UnitWork unit{};
+    bool background = false;  // pixels where nothing was drawn are transformed, and lit
+    bool noise = true;        // where dither is off, words of amplitude 0
+    constexpr bool operator==(const PostProcessWork&) const = default;
+};
+constexpr PostProcessWork least_work(const Settings& s) {
+    return {{}, false, !hw::silent(s.dither, s.machine)};
+}
+
+// The noise of a frame; where dither is off it is drawn, if it is, with amplitude 0.
+constexpr hw::Dither drawn_dither(const Settings& s) {
+    if (s.dither.shape != hw::DitherShape::none) return s.dither;
+    return {hw::DitherShape::uniform, 0, s.dither.seed};
+}
+
 struct PostProcessCounts {
     std::uint64_t visible = 0;  // pixels transformed
     std::uint64_t shadowed = 0;
@@ -40,7 +57,14 @@ struct PostProcessCounts {
 template <class Depth>
 PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
                                const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const Settings& settings, std::span<std::uint8_t> mask);
+                               const Settings& settings, const PostProcessWork& work,
+                               std::span<std::uint8_t> mask);
+template <class Depth>
+PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
+                               const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
+                               const Settings& settings, std::span<std::uint8_t> mask) {
+    return post_process(observer, light, matrix, settings, least_work(settings), mask);
+}
 
 inline constexpr int widest_row = 512;
 

@@ -255,7 +255,7 @@ PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
         transform_row(depth, span, row_shares(settings, matrix, y),
                       static_cast<std::int32_t>(m.depth_offset()),
                       m.input_fraction() - m.depth_fraction(), memory);
-        if (settings.dither.shape != hw::DitherShape::none) add_dither(settings, y, span, memory);
+        if (!hw::silent(settings.dither, m)) add_dither(settings, y, span, memory);
         counts.shadowed += settings.lookup == Lookup::nearest
                                ? nearest_row(depth, light, span, m, memory, out)
                                : bilinear_row(depth, light, span, settings, memory, out);

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,5 +68,13 @@ void write_png_gray(const Path&, int width, int height, std::span<const std::uin
                     FileSet* set = nullptr);
 void write_png_rgb(const Path&, int width, int height, std::span<const std::uint8_t>,
                    FileSet* set = nullptr);
+
+struct GrayPng {
+    int width, height;
+    std::vector<std::uint8_t> samples;
+};
+
+// Nothing where there is no such file, or it is no whole PNG of 8-bit gray.
+std::optional<GrayPng> read_png_gray(const Path&);
 
 }  // namespace umbra78::tools

@@ -1,4 +1,4 @@
-// PNG by stb_image_write.
+// PNG by stb_image_write and stb_image.
 #include "tools/file_errors.hpp"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -7,7 +7,13 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include <stb/stb_image_write.h>
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb/stb_image.h>
 #pragma GCC diagnostic pop
+
+#include <memory>
 
 namespace umbra78::tools {
 namespace {
@@ -47,6 +53,16 @@ void write_png_gray(const Path& path, int width, int height,
 void write_png_rgb(const Path& path, int width, int height,
                    std::span<const std::uint8_t> samples, FileSet* set) {
     write_png(path, width, height, 3, samples, set);
+}
+
+std::optional<GrayPng> read_png_gray(const Path& path) {
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info(path.c_str(), &width, &height, &channels) || channels != 1) return {};
+    const std::unique_ptr<stbi_uc, void (*)(void*)> samples(
+        stbi_load(path.c_str(), &width, &height, &channels, 1), stbi_image_free);
+    if (!samples) return {};
+    const auto n = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return GrayPng{width, height, {samples.get(), samples.get() + n}};
 }
 
 }  // namespace umbra78::tools

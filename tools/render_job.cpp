@@ -19,8 +19,8 @@ double timed_ms(Stage stage) {
 }  // namespace
 
 RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings)
-    : scene_(scene), settings_(settings) {
-    load();
+    : inputs_{scene, settings, {}} {
+    load(nullptr);
     if (settings.machine.z_bits <= 16) {
         allocate<hw::Depth16>();
     } else {
@@ -30,58 +30,56 @@ RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& setting
 
 template <class Depth>
 void RenderJob::allocate() {
-    bytes_ = shadow::frame_bytes<Depth>(settings_.machine, scene_.patches.size());
+    const hw::MachineSpec& machine = settings().machine;
+    const std::size_t patches = inputs_.scene.patches.size();
+    bytes_ = shadow::frame_bytes<Depth>(machine, patches);
     memory_.reset(new (std::align_val_t{64}) std::byte[bytes_]);
-    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, settings_.machine,
-                                  scene_.patches.size());
+    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches);
 }
 
 void RenderJob::use(const shadow::Settings& settings) {
-    settings_ = settings;
-    load();
+    inputs_.settings = settings;
+    load(nullptr);
 }
 
-void RenderJob::load() {
+void RenderJob::advance(const shadow::Scene& scene, const shadow::Settings& settings) {
+    const shadow::FrameInputs before = inputs_;
+    inputs_ = {scene, settings, {}};
+    load(&before);
+}
+
+void RenderJob::load(const shadow::FrameInputs* before) {
     auto status = shadow::FrameStatus::ok;
-    times_.matrices_ms =
-        timed_ms([&] { status = shadow::load_matrices(scene_, settings_, matrices_); });
+    times_.matrices_ms = timed_ms([&] {
+        status = shadow::load_matrices(inputs_.scene, inputs_.settings, inputs_.matrices);
+        if (status == shadow::FrameStatus::ok) plan_ = shadow::make_plan(inputs_, before);
+    });
     if (status != shadow::FrameStatus::ok) throw SceneError(explain(status));
 }
 
 void RenderJob::draw_light() {
-    std::visit(
-        [&](auto& frame) {
-            times_.light_ms = timed_ms(
-                [&] { shadow::draw_light(scene_, settings_, matrices_, frame, counts_); });
-        },
-        frame_);
+    times_.light_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::draw_light(inputs_, plan_, f, counts_); }, frame_);
+    });
 }
 
 void RenderJob::draw_observer() {
-    std::visit(
-        [&](auto& frame) {
-            times_.observer_ms = timed_ms(
-                [&] { shadow::draw_observer(scene_, settings_, matrices_, frame, counts_); });
-        },
-        frame_);
+    times_.observer_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::draw_observer(inputs_, plan_, f, counts_); }, frame_);
+    });
 }
 
 void RenderJob::cast_shadows() {
-    std::visit(
-        [&](auto& frame) {
-            times_.post_process_ms = timed_ms(
-                [&] { shadow::cast_shadows(settings_, matrices_, frame, counts_); });
-        },
-        frame_);
+    times_.post_process_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::cast_shadows(inputs_, plan_, f, counts_); }, frame_);
+    });
 }
 
 void RenderJob::filter_and_composite() {
-    std::visit(
-        [&](auto& frame) {
-            times_.filters_ms =
-                timed_ms([&] { shadow::filter_and_composite(settings_, frame, counts_); });
-        },
-        frame_);
+    times_.filters_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::filter_and_composite(inputs_, plan_, f, counts_); },
+                   frame_);
+    });
 }
 
 void RenderJob::render() {
@@ -94,7 +92,8 @@ void RenderJob::render() {
 shadow::FrameLedger RenderJob::ledger() const {
     return std::visit(
         [&](const auto& frame) {
-            return shadow::frame_ledger(scene_, settings_, matrices_, frame, counts_);
+            return shadow::frame_ledger(inputs_.scene, inputs_.settings, inputs_.matrices,
+                                        frame, counts_);
         },
         frame_);
 }
@@ -117,7 +116,7 @@ const char* name_of(Plane plane) {
 }
 
 Buffer RenderJob::buffer(Plane plane) const {
-    const hw::MachineSpec& spec = settings_.machine;
+    const hw::MachineSpec& spec = settings().machine;
     const auto depth = [&](const auto& store) {
         using Word = typename std::remove_cvref_t<decltype(store.depth)>::value_type;
         return Buffer{name_of(plane), spec.size_px(), spec.background(),
@@ -148,7 +147,7 @@ std::span<const std::uint8_t> RenderJob::bytes(Plane plane) const {
 }
 
 std::vector<std::uint8_t> RenderJob::visible() const {
-    const std::uint32_t background = settings_.machine.background();
+    const std::uint32_t background = settings().machine.background();
     std::vector<std::uint8_t> seen;
     std::visit(
         [&](const auto& frame) {

@@ -22,7 +22,8 @@
 namespace umbra78::tools {
 
 struct StageTimes {
-    double matrices_ms = 0, light_ms = 0, observer_ms = 0, post_process_ms = 0, filters_ms = 0;
+    double matrices_ms = 0;  // and the plan
+    double light_ms = 0, observer_ms = 0, post_process_ms = 0, filters_ms = 0;
     double total_ms() const {
         return matrices_ms + light_ms + observer_ms + post_process_ms + filters_ms;
     }
@@ -56,14 +57,20 @@ public:
     // Other settings for the stages that follow; the widths of X, Y and Z must stay.
     void use(const shadow::Settings&);
 
+    // The next frame of a sequence, after render(): what stands still will be kept. As many
+    // patches at most, the same widths; both scenes' spans must live.
+    void advance(const shadow::Scene&, const shadow::Settings&);
+
     void draw_light();
     void draw_observer();
     void cast_shadows();
     void filter_and_composite();
     void render();  // all of them, in order
 
-    const shadow::Settings& settings() const { return settings_; }
-    const shadow::FrameMatrices& matrices() const { return matrices_; }
+    const shadow::FrameInputs& inputs() const { return inputs_; }
+    const shadow::Settings& settings() const { return inputs_.settings; }
+    const shadow::FrameMatrices& matrices() const { return inputs_.matrices; }
+    const shadow::Plan& plan() const { return plan_; }
     const shadow::FrameCounts& counts() const { return counts_; }
     const StageTimes& times() const { return times_; }
     // What the frame takes on the machine; draws both views once more, to count.
@@ -85,11 +92,10 @@ private:
     };
     template <class Depth>
     void allocate();
-    void load();
+    void load(const shadow::FrameInputs* before);
 
-    shadow::Scene scene_;
-    shadow::Settings settings_;
-    shadow::FrameMatrices matrices_{};
+    shadow::FrameInputs inputs_;
+    shadow::Plan plan_{};
     shadow::FrameCounts counts_{};
     StageTimes times_{};
     std::size_t bytes_ = 0;

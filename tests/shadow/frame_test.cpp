@@ -5,8 +5,8 @@
 #include "shadow/composite.hpp"
 #include "shadow/low_pass.hpp"
 #include "tests/fixed/boundary.hpp"
+#include "tests/shadow/equal_frames.hpp"
 #include "tests/shadow/figure_frame.hpp"
-#include "tests/support/buffers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,21 +19,10 @@ namespace umbra78::shadow {
 namespace {
 
 using raster::Patch;
+using test::expect_equal_frames;
 using test::FigureScene;
 using test::Frame;
 using umbra78::test::expect_equal_buffers;
-
-template <class A, class B>
-void expect_equal_frames(const FrameBuffers<A>& a, const FrameBuffers<B>& b) {
-    const int size = a.observer.size_px();
-    expect_equal_buffers("light_z", size, a.light.depth, b.light.depth);
-    expect_equal_buffers("observer_z", size, a.observer.depth, b.observer.depth);
-    expect_equal_buffers("intensity", size, a.observer.intensity, b.observer.intensity);
-    expect_equal_buffers("mask", size, a.mask, b.mask);
-    expect_equal_buffers("edges", size, a.edges, b.edges);
-    expect_equal_buffers("filtered", size, a.filtered, b.filtered);
-    expect_equal_buffers("picture", size, a.picture, b.picture);
-}
 
 void expect_equal_counts(const FrameCounts& a, const FrameCounts& b) {
     const auto drawn = [](const raster::DrawCounts& x, const raster::DrawCounts& y) {
@@ -144,15 +133,17 @@ TEST(Frame, StagesOneByOneAreRender) {
             Frame<> parts(s.machine, figures.patches.size());
             const Scene scene = figures.scene();
             ASSERT_EQ(load_matrices(scene, s, parts.matrices), FrameStatus::ok);
-            draw_light(scene, s, parts.matrices, parts.buffers, parts.counts);
-            draw_observer(scene, s, parts.matrices, parts.buffers, parts.counts);
-            cast_shadows(s, parts.matrices, parts.buffers, parts.counts);
-            filter_and_composite(s, parts.buffers, parts.counts);
+            const FrameInputs in{scene, s, parts.matrices};
+            const Plan plan = make_plan(in);
+            draw_light(in, plan, parts.buffers, parts.counts);
+            draw_observer(in, plan, parts.buffers, parts.counts);
+            cast_shadows(in, plan, parts.buffers, parts.counts);
+            filter_and_composite(in, plan, parts.buffers, parts.counts);
             expect_equal_frames(whole.buffers, parts.buffers);
             expect_equal_counts(whole.counts, parts.counts);
             // A stage again, on what stands there, changes nothing.
-            cast_shadows(s, parts.matrices, parts.buffers, parts.counts);
-            filter_and_composite(s, parts.buffers, parts.counts);
+            cast_shadows(in, plan, parts.buffers, parts.counts);
+            filter_and_composite(in, plan, parts.buffers, parts.counts);
             expect_equal_frames(whole.buffers, parts.buffers);
         }
 }

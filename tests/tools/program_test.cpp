@@ -1,81 +1,30 @@
 // The program as a user runs it: its messages and exit codes, and what it leaves behind.
 #include "shadow/profiles.hpp"
+#include "tests/tools/program.hpp"
 #include "tools/figure_set.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <string>
 
 namespace umbra78::tools {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::Program;
+using test::Ran;
 
 const std::string figures_scene_file = UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml";
-
-struct Ran {
-    int exit_code;
-    std::string out, err;
-};
-
-class Program : public testing::Test {
-protected:
-    const fs::path folder = fs::temp_directory_path() /
-                            ("umbra78-program-" + std::to_string(getpid()) + "-" +
-                             testing::UnitTest::GetInstance()->current_test_info()->name());
-
-    void SetUp() override { fs::create_directory(folder); }
-    void TearDown() override {
-        fs::remove_all(folder);
-        fs::remove(text_path("out"));
-        fs::remove(text_path("err"));
-    }
-
-    Ran run(const std::string& arguments) const {
-        const std::string command = "cd '" + folder.string() + "' && " UMBRA78_PROGRAM " " +
-                                    arguments + " >" + text_path("out") + " 2>" + text_path("err");
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(text_path("out")),
-                content(text_path("err"))};
-    }
-    void write(const char* name, const std::string& text) const {
-        std::ofstream(folder / name, std::ios::binary) << text;
-    }
-    static std::string content(const fs::path& path) {
-        std::ifstream file(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-    std::vector<std::string> files() const {
-        std::vector<std::string> names;
-        for (const auto& entry : fs::recursive_directory_iterator(folder))
-            if (entry.is_regular_file())
-                names.push_back(entry.path().lexically_relative(folder).string());
-        std::sort(names.begin(), names.end());
-        return names;
-    }
-
-private:
-    std::string text_path(const char* what) const { return folder.string() + "." + what; }
-};
 
 TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     const struct {
         const char *arguments, *message;
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
-        {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, bands, "
-                       "settings, --help; see umbra78 --help"},
+        {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
+                       "animate, cycles, bands, settings, --help; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
-        {"--verbose", "unknown argument '--verbose'; known here: figures, render, bands, "
-                      "settings, --help; see umbra78 --help"},
+        {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
+                      "animate, cycles, bands, settings, --help; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
@@ -148,7 +97,8 @@ TEST_F(Program, AFullDiskIsAFailureToo) {
 }
 
 TEST_F(Program, EveryHelpHasAnExample) {
-    for (const char* command : {"", "figures ", "render ", "bands ", "settings "}) {
+    for (const char* command : {"", "figures ", "render ", "plan ", "animate ", "bands ",
+                                "settings "}) {
         const Ran ran = run(std::string(command) + "--help");
         EXPECT_EQ(ran.exit_code, 0);
         EXPECT_EQ(ran.err, "");

@@ -41,6 +41,7 @@ struct Bench {
     shadow::FrameBuffers<Depth16> frame;
     shadow::FrameMatrices matrices;
     shadow::FrameCounts counts;
+    shadow::Plan plan;
     tools::FloatMatrix floats{};
 
     explicit Bench(const shadow::Settings& settings)
@@ -50,7 +51,11 @@ struct Bench {
         auto* aligned = static_cast<std::byte*>(std::align(64, space - 64, at, space));
         frame = shadow::carve<Depth16>({aligned, space}, settings.machine, patches.size());
         shadow::render(scene, settings, frame, matrices, counts);
+        plan = shadow::make_plan(inputs(settings));
         make_float_matrix(static_cast<double>(settings.bias_q16) / 65536);
+    }
+    shadow::FrameInputs inputs(const shadow::Settings& settings) const {
+        return {scene, settings, matrices};
     }
 
     // The same turn about the vertical axis, on pixel coordinates and Z codes of both frames.
@@ -125,7 +130,7 @@ void add_all() {
                                           b.floats, affine, b.frame.picture);
             });
     const auto cast = [](Bench& b, const Settings& s) {
-        shadow::cast_shadows(s, b.matrices, b.frame, b.counts);
+        shadow::cast_shadows(b.inputs(s), b.plan, b.frame, b.counts);
     };
     add("post-process, figure 3 (nearest)", 3, cast);
     add("post-process, figure 4 (bilinear, dither)", 4, cast);
@@ -135,7 +140,7 @@ void add_all() {
     });
     // The ledger of the pass as the functional machine gets it: one scan of the observer's Z.
     add("post-process, figure 3, with its ledger", 3, [](Bench& b, const Settings& s) {
-        shadow::cast_shadows(s, b.matrices, b.frame, b.counts);
+        shadow::cast_shadows(b.inputs(s), b.plan, b.frame, b.counts);
         benchmark::DoNotOptimize(pass_ledger(b, s));
     });
     for (const int figure : {3, 4})
@@ -143,14 +148,17 @@ void add_all() {
     add("matrices", 6, [](Bench& b, const Settings& s) {
         shadow::load_matrices(b.scene, s, b.matrices);
     });
+    add("plan", 6, [](Bench& b, const Settings& s) {
+        b.plan = shadow::make_plan(b.inputs(s));
+    });
     add("light's view", 6, [](Bench& b, const Settings& s) {
-        shadow::draw_light(b.scene, s, b.matrices, b.frame, b.counts);
+        shadow::draw_light(b.inputs(s), b.plan, b.frame, b.counts);
     });
     add("observer's view", 6, [](Bench& b, const Settings& s) {
-        shadow::draw_observer(b.scene, s, b.matrices, b.frame, b.counts);
+        shadow::draw_observer(b.inputs(s), b.plan, b.frame, b.counts);
     });
     add("filters and composite, figure 6", 6, [](Bench& b, const Settings& s) {
-        shadow::filter_and_composite(s, b.frame, b.counts);
+        shadow::filter_and_composite(b.inputs(s), b.plan, b.frame, b.counts);
     });
     add("figure 6, whole frame", 6, [](Bench& b, const Settings& s) {
         shadow::render(b.scene, s, b.frame, b.matrices, b.counts);

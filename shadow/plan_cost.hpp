@@ -1,0 +1,47 @@
+// What a frame costs the machine under a plan, in cycles of each unit, and what omissions save.
+//
+//   cost(plan)  = sum over stages of points x cycles a point, words x cycles a word
+//   saved by o  = cost(the omissions before o) - cost(those and o),   in the order of the enum
+//
+// so that the savings add up to cost(Plan{}) - cost(plan). The closed forms are the units' own
+// (hw::transform_cycles, hw::serial_divide_cycles) without the time to fill a pipeline. Each plane a
+// stage reads or writes is counted once, a cycle a word. These are cycles that units are busy:
+// where stages overlap, a frame gets shorter only by what its busiest unit is spared.
+// Not counted: subdivision, the division of a perspective view's corners, shading.
+#pragma once
+
+#include "shadow/frame.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace umbra78::shadow {
+
+enum class Stage : std::uint8_t { light, observer, post_process, dequantize, low_pass, composite };
+inline constexpr std::size_t stage_count = 6;
+
+struct UnitCycles {
+    std::uint64_t transform = 0, divide = 0, noise = 0, store = 0;
+    std::uint64_t total() const { return transform + divide + noise + store; }
+};
+
+using StageCycles = std::array<UnitCycles, stage_count>;
+
+// What a frame turned out to be; `visible`: pixels where the observer's view was drawn.
+struct DrawnFrame {
+    const FrameInputs& inputs;
+    const FrameCounts& counts;
+    std::uint64_t visible;
+};
+
+StageCycles cycles_of(const Plan& plan, const DrawnFrame& drawn);
+std::uint64_t total(const StageCycles& cycles);
+
+struct Saving {
+    std::uint64_t cycles = 0;
+    bool after_drawing = false;  // the count is not known before
+    bool counted = true;         // false: what is saved has no cycle count
+};
+Saving saving(Omission omission, const Plan& plan, const DrawnFrame& drawn);
+
+}  // namespace umbra78::shadow
