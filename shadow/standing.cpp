@@ -64,7 +64,8 @@ bool same_dither(const Settings& a, const Settings& b) {
 bool same_test(const FrameInputs& a, const FrameInputs& b) {
     const Settings &s = a.settings, &t = b.settings;
     const bool bilinear = s.lookup == Lookup::bilinear;
-    if (s.arithmetic != t.arithmetic || s.arithmetic == Arithmetic::ap120b) return false;
+    if (s.arithmetic != t.arithmetic) return false;
+    if (s.arithmetic == Arithmetic::ap120b && a.matrices.array != b.matrices.array) return false;
     return same(a.matrices.observer_to_light, b.matrices.observer_to_light) &&
            s.machine.fraction_bits == t.machine.fraction_bits &&
            (a.matrices.observer_to_light.affine ||
