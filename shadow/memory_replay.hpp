@@ -35,8 +35,8 @@ struct MemoryLedger {
 };
 
 // Of the post-process form, whatever settings.form says. The light map's words do not matter: only
-// where they lie. `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks behind the
-// one before it (PostProcessPlan::slot_cycles, the slowest stage's).
+// where they lie. `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks behind
+// the one before it (PostProcessPlan::slot_cycles, the slowest stage's).
 template <class Depth>
 MemoryLedger replay_memory(const hw::FrameStore<Depth>& observer, const hw::MatrixWords& matrix,
                            const Settings& settings, std::uint64_t issue_cycles);
