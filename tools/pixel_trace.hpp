@@ -1,0 +1,45 @@
+// A pixel's way through the post-process: every word, in the order it happens, each with its cycle.
+//
+// The clocked machine runs over the rendered frame, tick by tick, until the pixel's mask word is
+// written; the words are read from its registers. What it cannot show, because the machine does not
+// keep it (the noise's bytes, the certificate of a quotient, the filters behind it), is computed
+// beside it by the same formulas and held against what the machine has. Formulas and their sections
+// are those of hw/MACHINE.md; a cycle is counted from 0 at the frame's first tick.
+#pragma once
+
+#include "tools/trace_log.hpp"
+#include "tools/watched_frame.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace umbra78::tools {
+
+struct Pixel {
+    int x, y;
+};
+
+enum class Fate : std::uint8_t {
+    background,   // nothing was drawn there: it ends in the reader
+    no_quotient,  // its divisor is not positive, or a quotient does not fit
+    outside,      // of the light's volume
+    compared,
+};
+
+struct PixelTrace {
+    Pixel pixel;
+    Fate fate;
+    std::uint8_t mask, picture;
+    std::uint64_t first_cycle, last_cycle;  // first read; mask written, or found to be background
+    std::vector<TraceLine> lines;
+    std::string summary;  // one line
+};
+
+// Of a job that is rendered. Throws SceneError for the correct form and for a pixel that is not in
+// the frame, std::logic_error if clocked and functional machine disagree.
+PixelTrace trace_pixel(const RenderJob&, Pixel);
+
+nlohmann::ordered_json to_json(const PixelTrace&);
+
+}  // namespace umbra78::tools
