@@ -69,6 +69,16 @@ public:
     int sum_step(int c) const { return c + delay_.multiply - 1 + delay_.sum; }
     int accumulate_step(int c) const { return sum_step(c) + delay_.accumulate; }
     int round_step(int c) const { return accumulate_step(c) + delay_.round; }
+    // How far a row is shifted when it is rounded, and the bits that leaves.
+    int round_shift(int row) const {
+        if (!matrix_.affine) return spec_.coefficient_bits - 2;
+        const int out = row == 2 ? spec_.depth_fraction() : spec_.fraction_bits;
+        return affine_shift(matrix_, static_cast<Row>(row), spec_, input_, out);
+    }
+    int result_bits(int row) const {
+        const int bits = spec_.accumulator_bits() - round_shift(row);
+        return bits < 2 ? 2 : bits;
+    }
 
 private:
     friend struct TransformRegisters;
@@ -178,13 +188,9 @@ private:
     }
 
     void round_row(const TransformPlan& plan, int row) {
-        const MachineSpec& m = plan.spec_;
         const auto r = static_cast<std::size_t>(row);
-        const int out = row == 2 ? m.depth_fraction() : m.fraction_bits;
-        int shift = m.coefficient_bits - 2;
-        if (plan.matrix_.affine)
-            shift = affine_shift(plan.matrix_, static_cast<Row>(row), m, plan.input_, out);
-        result[r] = fixed::scale_shift(accumulator[r], shift, m.transform_rounding);
+        result[r] = fixed::scale_shift(accumulator[r], plan.round_shift(row),
+                                       plan.spec_.transform_rounding);
     }
 };
 

@@ -58,8 +58,8 @@ void run(const Options& options) {
         fmt::print("{}", print(json));
         return;
     }
-    fmt::print("{}: pixel ({}, {}): {}; mask {}, picture {}\n\n{}", options.scene, trace.pixel.x,
-               trace.pixel.y, trace.summary, trace.mask, trace.picture, to_text(trace.lines));
+    fmt::print("{}: pixel ({}, {}): {}\n\n{}", options.scene, trace.pixel.x, trace.pixel.y,
+               summary(trace), to_text(trace.lines));
     if (!options.waterfall) return;
     WaterfallOptions window;
     window.from = trace.first_cycle;

@@ -16,9 +16,9 @@ using shadow::StageKind;
 
 class PixelTracer {
 public:
-    PixelTracer(const RenderJob& job, Pixel pixel)
-        : job_(job), frame_(job), pixel_(pixel), machine_(frame_.machine()),
-          index_(frame_.observer().address(pixel.x, pixel.y)) {}
+    PixelTracer(WatchedFrame& frame, Pixel pixel)
+        : frame_(frame), pixel_(pixel), machine_(frame.machine()),
+          index_(frame.observer().address(pixel.x, pixel.y)) {}
 
     PixelTrace trace();
 
@@ -28,13 +28,11 @@ private:
     void work();  // until the mask word is written
     void stage_work(int stage, int step);
     Fate fate() const;
-    std::string summary(const PixelTrace&) const;
     TracedPoint point() const {
         return {frame_.settings(), machine_->plan(), machine_->flight(slot_)};
     }
 
-    const RenderJob& job_;
-    WatchedFrame frame_;
+    WatchedFrame& frame_;
     Pixel pixel_;
     std::unique_ptr<WatchedFrame::Machine> machine_;
     std::size_t index_;  // of the pixel, in scan order
@@ -123,17 +121,6 @@ Fate PixelTracer::fate() const {
     return f.lookup.outside ? Fate::outside : Fate::compared;
 }
 
-std::string PixelTracer::summary(const PixelTrace& t) const {
-    const std::string cycles = fmt::format("cycles {} to {}", t.first_cycle, t.last_cycle);
-    switch (t.fate) {
-        case Fate::background: return fmt::format("background: it ends in the reader, {}", cycles);
-        case Fate::no_quotient: return fmt::format("no quotient: lit, {}", cycles);
-        case Fate::outside: return fmt::format("outside the light's volume: lit, {}", cycles);
-        case Fate::compared: break;
-    }
-    return fmt::format("{}, {}", t.mask == shadow::mask_shadow ? "in shadow" : "lit", cycles);
-}
-
 PixelTrace PixelTracer::trace() {
     trace_matrix(log_, frame_.settings(), frame_.matrix());
     read();
@@ -143,18 +130,8 @@ PixelTrace PixelTracer::trace() {
         let_go();
         work();
     }
-    const std::uint8_t mask = frame_.mask()[index_];
-    if (mask != job_.bytes(Plane::mask)[index_])
-        throw std::logic_error(fmt::format("pixel ({}, {}): the clocked machine's mask is {}, the "
-                                           "frame's {}", pixel_.x, pixel_.y, mask,
-                                           job_.bytes(Plane::mask)[index_]));
-    log_.at("check");
-    log_.say(fmt::format("the frame's own mask word is {}, too", mask));
-    trace_filters(log_, frame_, job_, pixel_.x, pixel_.y);
-    PixelTrace t{pixel_, fate(), mask, job_.bytes(Plane::picture)[index_],
-                 read_cycles_.front(), last_cycle_, log_.lines(), ""};
-    t.summary = summary(t);
-    return t;
+    return {pixel_,      fate(),       frame_.mask()[index_], read_cycles_.front(),
+            last_cycle_, log_.lines()};
 }
 
 const char* name_of(Fate fate) {
@@ -164,20 +141,45 @@ const char* name_of(Fate fate) {
 
 }  // namespace
 
-PixelTrace trace_pixel(const RenderJob& job, Pixel pixel) {
-    const int size = job.settings().machine.size_px();
+std::string summary(const PixelTrace& t) {
+    const bool shadow = t.mask == shadow::mask_shadow;
+    const char* how = t.fate == Fate::background    ? "background: it ends in the reader"
+                      : t.fate == Fate::no_quotient ? "no quotient: lit"
+                      : t.fate == Fate::outside     ? "outside the light's volume: lit"
+                      : shadow                      ? "in shadow"
+                                                    : "lit";
+    return fmt::format("{}, cycles {} to {}", how, t.first_cycle, t.last_cycle);
+}
+
+PixelTrace trace_post_process(WatchedFrame& frame, Pixel pixel) {
+    const int size = frame.settings().machine.size_px();
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size || pixel.y >= size)
         throw SceneError(fmt::format("pixel {},{} is not in the frame of {} x {} pixels; give x "
                                      "and y of 0 .. {}",
                                      pixel.x, pixel.y, size, size, size - 1));
-    return PixelTracer(job, pixel).trace();
+    return PixelTracer(frame, pixel).trace();
+}
+
+PixelTrace trace_pixel(const RenderJob& job, Pixel pixel) {
+    WatchedFrame frame(job);
+    PixelTrace trace = trace_post_process(frame, pixel);
+    const std::uint8_t mask =
+        job.bytes(Plane::mask)[frame.observer().address(pixel.x, pixel.y)];
+    if (trace.mask != mask)
+        throw std::logic_error(fmt::format("pixel ({}, {}): the clocked machine's mask is {}, the "
+                                           "frame's {}", pixel.x, pixel.y, trace.mask, mask));
+    TraceLog log;
+    log.at("check");
+    log.say(fmt::format("the frame's own mask word is {}, too", mask));
+    trace_filters(log, frame, job, pixel.x, pixel.y);
+    trace.lines.insert(trace.lines.end(), log.lines().begin(), log.lines().end());
+    return trace;
 }
 
 nlohmann::ordered_json to_json(const PixelTrace& t) {
     return {{"pixel", {t.pixel.x, t.pixel.y}},
             {"fate", name_of(t.fate)},
             {"mask", t.mask},
-            {"picture", t.picture},
             {"first_cycle", t.first_cycle},
             {"last_cycle", t.last_cycle},
             {"words", to_json(t.lines)}};

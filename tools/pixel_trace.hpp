@@ -30,13 +30,17 @@ enum class Fate : std::uint8_t {
 struct PixelTrace {
     Pixel pixel;
     Fate fate;
-    std::uint8_t mask, picture;
+    std::uint8_t mask;
     std::uint64_t first_cycle, last_cycle;  // first read; mask written, or found to be background
     std::vector<TraceLine> lines;
-    std::string summary;  // one line
 };
 
-// Of a job that is rendered. Throws SceneError for the correct form and for a pixel that is not in
+std::string summary(const PixelTrace&);  // "in shadow, cycles 208439 to 208457"
+
+// Of a frame's post-process alone. Throws SceneError for a pixel that is not in it.
+PixelTrace trace_post_process(WatchedFrame&, Pixel);
+
+// The same and what follows it, to the picture. Of a job that is rendered. Throws SceneError for the correct form and for a pixel that is not in
 // the frame, std::logic_error if clocked and functional machine disagree.
 PixelTrace trace_pixel(const RenderJob&, Pixel);
 

@@ -47,6 +47,7 @@ void trace_place(TraceLog& log, const TracedPoint& p) {
     };
     log.word("tx", signed_word(l.tx, m.xy_bits + 1), how("X"));
     log.word("ty", signed_word(l.ty, m.xy_bits + 1), how("Y"));
+    if (f == 0) return;
     log.word("fx", unsigned_word(l.fx, f, f), "the fraction that is left");
     log.word("fy", unsigned_word(l.fy, f, f), "the fraction that is left");
 }

@@ -101,17 +101,12 @@ void TransformTrace::results(TraceLog& log, const TracedPoint& p, int turn) cons
     const hw::MachineSpec& m = p.spec();
     const Turn then = turn_of(p.plan.transform, turn);
     for (std::size_t r = then.first_row; r < then.first_row + then.rows; ++r) {
-        const int out = r == 2 ? m.depth_fraction() : m.fraction_bits;
-        const int whole = r == 2 ? m.z_bits + 1 : m.xy_bits + m.fraction_bits + 1;
-        const bool affine = p.matrix().affine;
-        const int shift =
-            affine ? hw::affine_shift(p.matrix(), static_cast<hw::Row>(r), m,
-                                      hw::screen_words(m), out)
-                   : m.coefficient_bits - 2;
+        const int row = static_cast<int>(r), shift = p.plan.transform.round_shift(row);
+        const int out = !p.matrix().affine ? row_fraction(p, r) - shift
+                        : r == 2           ? m.depth_fraction()
+                                           : m.fraction_bits;
         log.word(fmt::format("R_{}", row_names[r]),
-                 affine ? signed_word(p.flight.transform.result[r], whole, out)
-                        : signed_word(p.flight.transform.result[r],
-                                      m.accumulator_bits() - shift, row_fraction(p, r) - shift),
+                 signed_word(p.flight.transform.result[r], p.plan.transform.result_bits(row), out),
                  fmt::format("{}(acc_{} / 2^{})", rounding_name(m.transform_rounding),
                              row_names[r], shift));
     }

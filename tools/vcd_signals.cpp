@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace umbra78::tools {
 namespace {
 
@@ -32,7 +34,7 @@ void StageSignals::add_ports(StageKind kind, bool first, const shadow::PostProce
     switch (kind) {
         case StageKind::transform: return transform_ports(first, plan.transform);
         case StageKind::divide: return divider_ports(plan);
-        case StageKind::place: return place_ports(m);
+        case StageKind::place: return place_ports(plan);
         case StageKind::fetch: return fetch_ports(plan.lookup);
         case StageKind::interpolate: return interpolate_ports(m);
         case StageKind::compare:
@@ -64,7 +66,7 @@ void StageSignals::transform_ports(bool first, const hw::TransformPlan& t) {
         port(fmt::format("accumulator_{}", axes[r]), m.accumulator_bits(),
              [r](const Flight& f) { return f.transform.accumulator[r]; });
     for (std::size_t r = 0; t.rounds() && r < rows; ++r)
-        port(fmt::format("result_{}", axes[r]), m.accumulator_bits(),
+        port(fmt::format("result_{}", axes[r]), t.result_bits(static_cast<int>(r)),
              [r](const Flight& f) { return f.transform.result[r]; });
 }
 
@@ -84,11 +86,16 @@ void StageSignals::divider_ports(const shadow::PostProcessPlan& plan) {
     }
 }
 
-void StageSignals::place_ports(const hw::MachineSpec& m) {
-    const int across = m.xy_bits + m.fraction_bits + 3;
-    port("x", across, [](const Flight& f) { return f.lookup.x; });
-    port("y", across, [](const Flight& f) { return f.lookup.y; });
-    port("code", m.z_bits + 2, [](const Flight& f) { return f.lookup.code; });
+// X and Y have their dither added, Z half the range of codes: a bit more than the results have.
+void StageSignals::place_ports(const shadow::PostProcessPlan& plan) {
+    const hw::MachineSpec& m = plan.lookup.spec;
+    const auto bits = [&](int row) {
+        const int nominal = row == 2 ? m.z_bits + 1 : m.xy_bits + m.fraction_bits + 1;
+        return 1 + (plan.divides ? nominal : std::max(nominal, plan.transform.result_bits(row)));
+    };
+    port("x", bits(0), [](const Flight& f) { return f.lookup.x; });
+    port("y", bits(1), [](const Flight& f) { return f.lookup.y; });
+    port("code", bits(2), [](const Flight& f) { return f.lookup.code; });
     port("outside", 1, [](const Flight& f) { return f.lookup.outside; });
     port("tx", m.xy_bits + 1, [](const Flight& f) { return f.lookup.tx; });
     port("ty", m.xy_bits + 1, [](const Flight& f) { return f.lookup.ty; });

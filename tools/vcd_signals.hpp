@@ -28,7 +28,7 @@ private:
     void add_ports(shadow::StageKind, bool first, const shadow::PostProcessPlan&);
     void transform_ports(bool first, const hw::TransformPlan&);
     void divider_ports(const shadow::PostProcessPlan&);
-    void place_ports(const hw::MachineSpec&);
+    void place_ports(const shadow::PostProcessPlan&);
     void fetch_ports(const shadow::LookupPlan&);
     void interpolate_ports(const hw::MachineSpec&);
 

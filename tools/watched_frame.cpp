@@ -2,6 +2,9 @@
 
 #include "tools/scene_error.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace umbra78::tools {
 namespace {
 
@@ -13,17 +16,23 @@ std::vector<hw::Depth32> copy_of(const Buffer& plane) {
 
 }  // namespace
 
-WatchedFrame::WatchedFrame(const RenderJob& job)
-    : settings_(job.settings()), matrix_(job.matrices().observer_to_light),
-      observer_depth_(copy_of(job.buffer(Plane::observer_z))),
-      light_depth_(copy_of(job.buffer(Plane::light_z))),
-      intensity_(job.bytes(Plane::intensity).begin(), job.bytes(Plane::intensity).end()),
+WatchedFrame::WatchedFrame(const shadow::Settings& settings,
+                           const hw::MatrixWords& observer_to_light,
+                           std::vector<hw::Depth32> observer, std::vector<hw::Depth32> light)
+    : settings_(settings), matrix_(observer_to_light), observer_depth_(std::move(observer)),
+      light_depth_(std::move(light)), intensity_(observer_depth_.size()),
       mask_(observer_depth_.size()),
       observer_{settings_.machine.xy_bits, observer_depth_, intensity_},
-      light_{settings_.machine.xy_bits, light_depth_, {}} {
+      light_{settings_.machine.xy_bits, light_depth_, {}} {}
+
+WatchedFrame::WatchedFrame(const RenderJob& job)
+    : WatchedFrame(job.settings(), job.matrices().observer_to_light,
+                   copy_of(job.buffer(Plane::observer_z)), copy_of(job.buffer(Plane::light_z))) {
     if (settings_.form == shadow::Form::correct)
         throw SceneError("the correct form has no post-process to watch; give --set "
                          "form=post_process");
+    const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
+    std::copy(drawn.begin(), drawn.end(), intensity_.begin());
 }
 
 std::unique_ptr<WatchedFrame::Machine> WatchedFrame::machine() {

@@ -22,6 +22,9 @@ public:
     // Of a job that is rendered. Throws SceneError for the correct form, which has no
     // post-process.
     explicit WatchedFrame(const RenderJob&);
+    // Of any two depth planes, without intensity.
+    WatchedFrame(const shadow::Settings&, const hw::MatrixWords& observer_to_light,
+                 std::vector<hw::Depth32> observer, std::vector<hw::Depth32> light);
     WatchedFrame(const WatchedFrame&) = delete;
     WatchedFrame& operator=(const WatchedFrame&) = delete;
 

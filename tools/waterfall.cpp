@@ -124,8 +124,9 @@ private:
         std::string numbers, marks;
         for (std::size_t c = 0; c < columns; ++c) {
             if ((first_ + from + c) % 10 != 0) continue;
-            numbers.resize(std::max(numbers.size(), c), ' ');
-            if (numbers.size() == c) numbers += fmt::format("{} ", first_ + from + c);
+            // One that would run into the number before it is left out.
+            if (numbers.empty() || numbers.size() < c) numbers.resize(c, ' ');
+            if (numbers.size() == c) numbers += fmt::format("{}", first_ + from + c);
             marks.resize(c, ' ');
             marks += '|';
         }

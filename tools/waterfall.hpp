@@ -1,10 +1,13 @@
 // A waterfall: who stands in which stage in which cycle, as text.
 //
-//   cycle        2310      2320
-//                |         |
-//   reader       1..23..4         a row a stage, a column a cycle
-//   multiply     .111222333
-//   sum          ...1112223
+//   cycle               10
+//                       |
+//   reader       12~23~3.....>...     a row a stage, a column a cycle
+//   multiply     .111222333...>>>
+//   sum          ....1..2..3.....
+//   ...
+//   place        .......1..2=.3..
+//   fetch        ........###12.3.     (its clock held for three cycles)
 //
 // 1 to 9, a to z, A to Z are points in the order in which they enter; '<' one that was there
 // before, '>' one that comes after those asked for. '.' is a bubble; '=' a point that is done and
