@@ -40,8 +40,8 @@ std::string summary(const PixelTrace&);  // "in shadow, cycles 208439 to 208457"
 // Of a frame's post-process alone. Throws SceneError for a pixel that is not in it.
 PixelTrace trace_post_process(WatchedFrame&, Pixel);
 
-// The same and what follows it, to the picture. Of a job that is rendered. Throws SceneError for the correct form and for a pixel that is not in
-// the frame, std::logic_error if clocked and functional machine disagree.
+// The same and what follows it, to the picture, of a job that is rendered. Throws SceneError for
+// the correct form, too; std::logic_error if clocked and functional machine disagree.
 PixelTrace trace_pixel(const RenderJob&, Pixel);
 
 nlohmann::ordered_json to_json(const PixelTrace&);

@@ -153,7 +153,8 @@ TEST_F(Program, AFullDiskIsAFailureToo) {
 }
 
 TEST_F(Program, EveryHelpHasAnExample) {
-    for (const char* command : {"", "figures ", "render ", "cycles ", "trace ", "bands ", "settings "}) {
+    for (const char* command :
+         {"", "figures ", "render ", "cycles ", "trace ", "bands ", "settings "}) {
         const Ran ran = run(std::string(command) + "--help");
         EXPECT_EQ(ran.exit_code, 0);
         EXPECT_EQ(ran.err, "");

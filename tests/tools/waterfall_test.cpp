@@ -142,7 +142,7 @@ write        .............12.3
 1  pixel (3, 0): leaves the reader in cycle 3, is written in 16: 13 cycles, 3 of them waiting
 2  pixel (4, 0): leaves the reader in cycle 6, is written in 17: 11 cycles, 1 of them waiting
 3  pixel (5, 0): leaves the reader in cycle 9, is written in 19: 10 cycles, 0 of them waiting
-closed form: a point every S = 3 cycles at most, L = 10 cycles on its way; the reader takes 1 a pixel
+closed form: points at least S = 3 cycles apart, L = 10 cycles on their way, 1 to read a pixel
 )");
 }
 
@@ -162,7 +162,7 @@ TEST(Waterfall, LongOnesAreBrokenAndCut) {
     for (std::size_t at = 0; (at = text.find("reader  ", at)) != std::string::npos; ++at) ++pieces;
     EXPECT_EQ(pieces, 3u);
     EXPECT_NE(text.find("; what follows is left out\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("closed form: a point every S = 9 cycles"), std::string::npos) << text;
+    EXPECT_NE(text.find("closed form: points at least S = 9 cycles apart"), std::string::npos) << text;
 
     std::fill(observer.begin(), observer.end(), s.machine.background());
     WatchedFrame empty(s, matrix, observer, light);
