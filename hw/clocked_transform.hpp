@@ -7,8 +7,8 @@
 // With one multiplier a product is formed each cycle, with four a row, with sixteen all of them.
 // A coefficient or word of more than 16 bits is cut in two halves, and each pair of halves is a
 // pass of its own: a = a1 2^h + a0 with a1 signed 16 bits, a0 >= 0. Where w is 1 the fourth column
-// is a constant and the accumulators start from it. Parts that take longer than a clock are cut into
-// more stages (hw/timing.hpp), which a point crosses a cycle each.
+// is a constant and the accumulators start from it. Parts that take longer than a clock are cut
+// into more stages (hw/timing.hpp), which a point crosses a cycle each.
 //
 // The registers of a point travel with it, so any number of points may be under way.
 // Bits are those of hw/transform_unit.hpp; a test holds the two equal under any stalls.

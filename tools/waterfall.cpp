@@ -163,8 +163,8 @@ private:
 
     std::string closed_form() const {
         const shadow::PostProcessPlan& p = machine_.plan();
-        return fmt::format("closed form: points at least S = {} cycles apart, L = {} cycles on "
-                           "their way, {} to read a pixel\n",
+        return fmt::format("closed form: points at least S = {} cycles apart, L = {} on their "
+                           "way, {} to read a pixel\n",
                            p.slot_cycles, p.latency, p.read_cycles);
     }
 

@@ -142,7 +142,7 @@ write        .............12.3
 1  pixel (3, 0): leaves the reader in cycle 3, is written in 16: 13 cycles, 3 of them waiting
 2  pixel (4, 0): leaves the reader in cycle 6, is written in 17: 11 cycles, 1 of them waiting
 3  pixel (5, 0): leaves the reader in cycle 9, is written in 19: 10 cycles, 0 of them waiting
-closed form: points at least S = 3 cycles apart, L = 10 cycles on their way, 1 to read a pixel
+closed form: points at least S = 3 cycles apart, L = 10 on their way, 1 to read a pixel
 )");
 }
 
