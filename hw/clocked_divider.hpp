@@ -44,6 +44,13 @@ public:
         return serial_ ? 1 : 2 + (longest_ + 1 + bits_a_stage_ - 1) / bits_a_stage_;
     }
     int latency() const { return cycles() * stages(); }
+    // Row r's quotient: its bits, how far its dividend shifts left, its first and its last step.
+    int bits(int r) const { return bits_[std::size_t(r)]; }
+    int shift(int r) const { return shift_[std::size_t(r)]; }
+    int first_step(int r) const { return serial_ && r > 0 ? last_step(r - 1) + 1 : 0; }
+    int last_step(int r) const {
+        return serial_ ? first_step(r) + bits(r) + 2 : stages() - 1;
+    }
 
     template <class Rule>
     void add_stages(Chain<Rule>& chain) const {

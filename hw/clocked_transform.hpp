@@ -58,6 +58,27 @@ public:
     const MachineSpec& spec() const { return spec_; }
     const MatrixWords& matrix() const { return matrix_; }
     int rows() const { return rows_; }
+    int columns() const { return columns_; }
+    int passes() const { return passes_; }
+    bool rounds() const { return rounds_; }
+    // Bits of the low halves; 0 where coefficients, or words, are not cut.
+    int coefficient_cut() const { return coefficient_cut_; }
+    int word_cut() const { return word_cut_; }
+    // What multiply cycle c forms is summed, accumulated and rounded in these steps.
+    bool sums() const { return delay_.sum > 0; }
+    int sum_step(int c) const { return c + delay_.multiply - 1 + delay_.sum; }
+    int accumulate_step(int c) const { return sum_step(c) + delay_.accumulate; }
+    int round_step(int c) const { return accumulate_step(c) + delay_.round; }
+    // How far a row is shifted when it is rounded, and the bits that leaves.
+    int round_shift(int row) const {
+        if (!matrix_.affine) return spec_.coefficient_bits - 2;
+        const int out = row == 2 ? spec_.depth_fraction() : spec_.fraction_bits;
+        return affine_shift(matrix_, static_cast<Row>(row), spec_, input_, out);
+    }
+    int result_bits(int row) const {
+        const int bits = spec_.accumulator_bits() - round_shift(row);
+        return bits < 2 ? 2 : bits;
+    }
 
 private:
     friend struct TransformRegisters;
@@ -76,8 +97,8 @@ private:
 // A point in the unit. step(0), step(1), ... latency() steps in all.
 struct TransformRegisters {
     Words words{};
-    std::array<std::int64_t, 4> product{};  // formed in the last multiply cycle, by column
-    int product_row = 0;                    // the row they are of (the last of all with sixteen)
+    // By row and column; a multiplier each, so with one or four those of other rows are older.
+    std::array<std::array<std::int64_t, 4>, 4> product{};
     Accumulators accumulator{};
     std::array<std::int64_t, 4> result{};   // rounded rows
 
@@ -89,11 +110,10 @@ struct TransformRegisters {
     }
 
     void step(const TransformPlan& plan, int cycle) {
-        const int summed = cycle - (plan.delay_.multiply - 1) - plan.delay_.sum;
         if (cycle < plan.cycles()) multiply(plan, cycle);
-        const int accumulated = summed - plan.delay_.accumulate;
+        const int accumulated = cycle - plan.accumulate_step(0);
         if (accumulated >= 0 && accumulated < plan.cycles()) accumulate(plan, accumulated);
-        const int rounded = accumulated - plan.delay_.round;
+        const int rounded = cycle - plan.round_step(0);
         if (plan.rounds_ && rounded >= 0 && rounded < plan.cycles()) round(plan, rounded);
     }
 
@@ -123,9 +143,8 @@ private:
 
     std::int64_t row_products(const TransformPlan& plan, int row, int number) {
         std::int64_t sum = 0;
-        product_row = row;
         for (int c = 0; c < plan.columns_; ++c)
-            sum += product[std::size_t(c)] = pass(plan, row, c, number);
+            sum += product[std::size_t(row)][std::size_t(c)] = pass(plan, row, c, number);
         return sum;
     }
 
@@ -138,9 +157,9 @@ private:
         } else if (plan.spec_.multipliers == 4) {
             sums[0] = row_products(plan, turn, number);
         } else {
-            product_row = turn / plan.columns_;
-            const int column = turn % plan.columns_;
-            sums[0] = product[std::size_t(column)] = pass(plan, product_row, column, number);
+            const int row = turn / plan.columns_, column = turn % plan.columns_;
+            sums[0] = product[std::size_t(row)][std::size_t(column)] =
+                pass(plan, row, column, number);
         }
     }
 
@@ -169,13 +188,9 @@ private:
     }
 
     void round_row(const TransformPlan& plan, int row) {
-        const MachineSpec& m = plan.spec_;
         const auto r = static_cast<std::size_t>(row);
-        const int out = row == 2 ? m.depth_fraction() : m.fraction_bits;
-        int shift = m.coefficient_bits - 2;
-        if (plan.matrix_.affine)
-            shift = affine_shift(plan.matrix_, static_cast<Row>(row), m, plan.input_, out);
-        result[r] = fixed::scale_shift(accumulator[r], shift, m.transform_rounding);
+        result[r] = fixed::scale_shift(accumulator[r], plan.round_shift(row),
+                                       plan.spec_.transform_rounding);
     }
 };
 

@@ -129,6 +129,7 @@ public:
         std::uint64_t read = 0, slot = 0, blocked = 0, held = 0;
     };
     const ReaderTime& reader() const { return reader_; }
+    std::uint32_t read_code() const { return found_code_; }  // of the pixel read last
     // Cycles the reader was blocked by a stage.
     std::uint64_t reader_blocked_by(int stage) const {
         return reader_blame_[static_cast<std::size_t>(stage)];

@@ -11,6 +11,7 @@ void add_figures_command(CLI::App&, int& exit_code);
 void add_render_command(CLI::App&, int& exit_code);
 void add_plan_command(CLI::App&, int& exit_code);
 void add_animate_command(CLI::App&, int& exit_code);
+void add_trace_command(CLI::App&, int& exit_code);
 void add_settings_command(CLI::App&, int& exit_code);
 void add_bands_command(CLI::App&, int& exit_code);
 void add_cycles_command(CLI::App&, int& exit_code);

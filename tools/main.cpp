@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
     add_plan_command(app, exit_code);
     add_animate_command(app, exit_code);
     add_cycles_command(app, exit_code);
+    add_trace_command(app, exit_code);
     add_bands_command(app, exit_code);
     add_settings_command(app, exit_code);
     app.footer("Example:\n  umbra78 figures --out out");  // last: subcommands would inherit it

@@ -21,10 +21,10 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, bands, settings, --help; see umbra78 --help"},
+                       "animate, cycles, trace, bands, settings, --help; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, bands, settings, --help; see umbra78 --help"},
+                      "animate, cycles, trace, bands, settings, --help; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
@@ -40,6 +40,11 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
                                 "render --help"},
         {"bands --bias many",
          "--bias: Value many not in range 0 to 65536; see umbra78 bands --help"},
+        {"trace a.toml", "--pixel is required; see umbra78 trace --help"},
+        {"trace a.toml --pixel 1:2", "--pixel: '1:2' is no pixel; write x,y as in 80,180; see "
+                                     "umbra78 trace --help"},
+        {"trace a.toml --pixel 1,2 --json --waterfall",
+         "--json excludes --waterfall; see umbra78 trace --help"},
         {"settings --markdown", "unknown argument '--markdown'; known here: --help, --json; see "
                                 "umbra78 settings --help"},
     };
@@ -97,8 +102,8 @@ TEST_F(Program, AFullDiskIsAFailureToo) {
 }
 
 TEST_F(Program, EveryHelpHasAnExample) {
-    for (const char* command : {"", "figures ", "render ", "plan ", "animate ", "bands ",
-                                "settings "}) {
+    for (const char* command : {"", "figures ", "render ", "plan ", "animate ", "cycles ",
+                                "trace ", "bands ", "settings "}) {
         const Ran ran = run(std::string(command) + "--help");
         EXPECT_EQ(ran.exit_code, 0);
         EXPECT_EQ(ran.err, "");
@@ -193,6 +198,22 @@ TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
     EXPECT_NE(run("cycles " + scene).out.find("roughly twice"), std::string::npos);
     const auto both = run("cycles " + scene + " --all --profile affine16");
     EXPECT_EQ(both.exit_code, 2);
+}
+
+TEST_F(Program, TraceTellsAPixelsWords) {
+    const std::string pixel = "trace " + figures_scene_file + " --pixel 115,180 ";
+    const Ran ran = run(pixel + "--vcd a.vcd --cycles 20 --waterfall");
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find(": pixel (115, 180): in shadow, cycles "), std::string::npos);
+    EXPECT_NE(ran.out.find("acc_X            482146860"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("\n1  pixel (115, 180): leaves the reader"), std::string::npos);
+    EXPECT_EQ(files(), (std::vector<std::string>{"a.vcd"}));
+    const json words = json::parse(run(pixel + "--json").out)["words"];
+    EXPECT_GT(words.size(), 80u);
+    const Ran outside = run("trace " + figures_scene_file + " --pixel 0,512");
+    EXPECT_EQ(outside.exit_code, 1);
+    EXPECT_EQ(outside.err, "umbra78: pixel 0,512 is not in the frame of 512 x 512 pixels; give x "
+                           "and y of 0 .. 511\n");
 }
 
 TEST_F(Program, BandsHasARowForEachReading) {

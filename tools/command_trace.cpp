@@ -1,0 +1,104 @@
+// umbra78 trace: one pixel's way through the post-process, every word and the cycle it came in.
+#include "tools/commands.hpp"
+#include "tools/pixel_trace.hpp"
+#include "tools/report.hpp"
+#include "tools/scene_file.hpp"
+#include "tools/settings_text.hpp"
+#include "tools/vcd.hpp"
+#include "tools/waterfall.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+
+namespace umbra78::tools {
+namespace {
+
+struct Options {
+    std::string scene, pixel, vcd;
+    std::vector<std::string> set;
+    std::uint64_t cycles = VcdOptions{}.cycles;
+    bool json = false, waterfall = false;
+};
+
+// "80,180"
+std::optional<Pixel> parse_pixel(std::string_view text) {
+    Pixel pixel{};
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, pixel.x);
+    if (x.ec != std::errc{} || x.ptr == end || *x.ptr != ',') return {};
+    const auto y = std::from_chars(x.ptr + 1, end, pixel.y);
+    if (y.ec != std::errc{} || y.ptr != end) return {};
+    return pixel;
+}
+
+std::string check_pixel(const std::string& text) {
+    return parse_pixel(text) ? "" : fmt::format("'{}' is no pixel; write x,y as in 80,180", text);
+}
+
+void run(const Options& options) {
+    const LoadedScene scene = load_scene(options.scene, options.set);
+    RenderJob job(scene.view(), scene.settings);
+    job.render();
+    const PixelTrace trace = trace_pixel(job, *parse_pixel(options.pixel));
+    if (!options.vcd.empty()) {
+        VcdOptions window;
+        window.cycles = options.cycles;
+        window.from = trace.first_cycle;
+        write_vcd(options.vcd, job, window);
+    }
+    if (options.json) {
+        nlohmann::ordered_json json{{"scene", options.scene}};
+        json.update(to_json(trace));
+        json["settings"] = settings_json(scene.settings);
+        fmt::print("{}", print(json));
+        return;
+    }
+    fmt::print("{}: pixel ({}, {}): {}\n\n{}", options.scene, trace.pixel.x, trace.pixel.y,
+               summary(trace), to_text(trace.lines));
+    if (!options.waterfall) return;
+    WaterfallOptions window;
+    window.from = trace.first_cycle;
+    fmt::print("\n{}", waterfall(job, window));
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& app, int&) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("trace", "Print every word of one pixel's way through the post-process");
+    command->add_option("scene", options->scene, "Scene file (TOML)")
+        ->type_name("FILE")
+        ->required();
+    command->add_option("--pixel", options->pixel, "The pixel, x,y from the upper left corner")
+        ->type_name("X,Y")
+        ->required()
+        ->check(CLI::Validator(check_pixel, "", "pixel"));
+    command->add_option("--set", options->set, "key=value: a setting, observer.KEY or light.KEY")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);  // one value a --set, so that the scene may follow
+    command
+        ->add_option("--vcd", options->vcd,
+                     "Write the machine's signals from the pixel's first cycle on, as a value "
+                     "change dump")
+        ->type_name("FILE");
+    command->add_option("--cycles", options->cycles, "Cycles of --vcd")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1 << 20))
+        ->capture_default_str();
+    CLI::Option* waterfall = command->add_flag(
+        "--waterfall", options->waterfall, "Print the pixel and the five after it, stage by stage");
+    command->add_flag("--json", options->json, "Print JSON instead of text")
+        ->excludes(waterfall);
+    command->footer("Settings are those of umbra78 render --help.\n"
+                    "\nExample:\n  umbra78 trace tools/scenes/figures.toml --pixel 80,180 "
+                    "--set lookup=nearest --set dither=none --set bias=64");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace umbra78::tools
