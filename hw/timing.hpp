@@ -37,10 +37,14 @@ struct Timing {
     }
 };
 
-enum class TimingStatus : std::uint8_t { ok, clock_ns, light_banks };
+enum class TimingStatus : std::uint8_t { ok, part_too_slow, noise_bits, light_banks };
 
+// Parts slower than this would need more stages than a chain has (hw/handshake.hpp).
 constexpr TimingStatus check(const Timing& t) {
-    if (t.clock_ns <= t.register_ns || t.add_ns < 1) return TimingStatus::clock_ns;
+    if (t.clock_ns < 100 || t.register_ns < 0 || t.register_ns > 40 || t.multiply_ns < 1 ||
+        t.multiply_ns > 400 || t.add_ns < 1 || t.add_ns > 150)
+        return TimingStatus::part_too_slow;
+    if (t.noise_bits < 1) return TimingStatus::noise_bits;
     if (t.light_banks != 1 && t.light_banks != 4) return TimingStatus::light_banks;
     return TimingStatus::ok;
 }

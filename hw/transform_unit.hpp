@@ -108,22 +108,16 @@ private:
     WordFormat input_;
 };
 
-// Closed-form cost of the functional unit. A 16 x 16 multiplier takes coefficients or words wider
+// Cycles a point takes of the multipliers. A 16 x 16 multiplier takes coefficients or words wider
 // than 16 bits in two passes each. Where w is 1 the fourth product is a preloaded constant and
 // the W row is left out, so an affine point costs 9 products; else 16.
-struct UnitCost {
-    int cycles_per_point;
-    int latency_cycles;
-};
-
-constexpr UnitCost transform_cost(const MachineSpec& spec, bool affine) {
+constexpr int transform_cycles(const MachineSpec& spec, bool affine) {
     const int passes = (spec.coefficient_bits > 16 ? 2 : 1) * (spec.word_bits() > 16 ? 2 : 1);
     const int rows = affine ? 3 : 4;
-    const int per_row = affine ? 3 : 4;
     switch (spec.multipliers) {
-        case 1: return {rows * per_row * passes, rows * per_row * passes + 2};
-        case 4: return {rows * passes, rows * passes + 3};
-        default: return {passes, passes + 3};
+        case 1: return rows * rows * passes;
+        case 4: return rows * passes;
+        default: return passes;
     }
 }
 

@@ -136,6 +136,7 @@ void BlockWalk::split(bool along_u) {
 bool BlockWalk::next(ScreenBounds& bounds) {
     while (depth_ > 0) {
         const StackBlock& b = memory_.stack[--depth_];
+        ++counts_.tested_blocks;
         const Fate f = fate(b, bounds);
         if (f == Fate::draw) return true;
         if (f == Fate::outside) continue;
@@ -145,6 +146,7 @@ bool BlockWalk::next(ScreenBounds& bounds) {
             continue;
         }
         ++splits_;
+        ++counts_.splits;
         split(f == Fate::split_u ? can_u : !can_v);
     }
     return false;

@@ -42,6 +42,9 @@ struct DrawCounts {
     std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
     std::uint64_t hidden_blocks = 0;  // left out behind what was drawn before
     std::uint64_t unresolved = 0;     // dropped at the last level or split
+    std::uint64_t tested_blocks = 0;  // whose fate was decided
+    std::uint64_t splits = 0;
+    std::uint64_t tested_centres = 0;  // pixel centres in a leaf's window
 };
 
 struct DrawSetup {
@@ -124,7 +127,7 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
     const auto sample = [&](const BlockShading* shading) {
         const auto each = [&](const Sample& s) { emit(s, shading); };
         if (setup.sampling == Sampling::centre) {
-            sample_centres(memory.corners, setup.spec, each);
+            counts.tested_centres += sample_centres(memory.corners, setup.spec, each);
         } else {
             sample_leaves(memory.corners, setup.spec, each);
         }

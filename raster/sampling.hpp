@@ -99,8 +99,10 @@ inline void centre_windows(const Corners& g, int j, std::int32_t half_px, Centre
     axis(g[1], w.y0, w.y1);
 }
 
+// Returns how many centres were tested.
 template <class Emit>
-void sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
+std::uint64_t sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
+    std::uint64_t tested = 0;
     const std::int32_t half = spec.half_px();
     const auto centre = [&](int p) {
         return (2 * (p - half) + 1) * (1 << (raster_fraction - 1));
@@ -113,6 +115,7 @@ void sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) 
             if (w.x0[u] > w.x1[u] || w.y0[u] > w.y1[u]) continue;
             const Corner c00 = corner_at(g, i, j), c10 = corner_at(g, i + 1, j);
             const Corner c01 = corner_at(g, i, j + 1), c11 = corner_at(g, i + 1, j + 1);
+            tested += static_cast<std::uint64_t>((w.x1[u] - w.x0[u] + 1) * (w.y1[u] - w.y0[u] + 1));
             for (int py = w.y0[u]; py <= w.y1[u]; ++py) {
                 for (int px = w.x0[u]; px <= w.x1[u]; ++px) {
                     const std::int32_t x = centre(px), y = centre(py);
@@ -123,6 +126,7 @@ void sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) 
             }
         }
     }
+    return tested;
 }
 
 template <class Emit>

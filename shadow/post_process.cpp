@@ -44,24 +44,4 @@ template PostProcessCounts post_process(const hw::FrameStore<hw::Depth32>&,
                                         const hw::MatrixWords&, const Settings&,
                                         std::span<std::uint8_t>);
 
-std::uint64_t PostProcessCycles::overlapped() const {
-    return std::max({read, transform, divide, lookup, write});
-}
-
-PostProcessCycles post_process_cycles(std::uint64_t visible, const Settings& settings,
-                                      bool affine) {
-    const hw::MachineSpec& spec = settings.machine;
-    const std::uint64_t pixels = std::uint64_t{1} << (2 * spec.xy_bits);
-    const hw::UnitCost unit = hw::transform_cost(spec, affine);
-    PostProcessCycles c;
-    c.read = pixels;
-    c.write = pixels;
-    if (visible == 0) return c;
-    c.transform = static_cast<std::uint64_t>(unit.latency_cycles) +
-                  (visible - 1) * static_cast<std::uint64_t>(unit.cycles_per_point);
-    if (!affine) c.divide = visible * static_cast<std::uint64_t>(hw::serial_divide_cycles(spec));
-    c.lookup = visible * (settings.lookup == Lookup::bilinear ? 4 : 1);
-    return c;
-}
-
 }  // namespace umbra78::shadow

@@ -61,14 +61,4 @@ PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
                                     const hw::MatrixWords& matrix, const Settings& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask);
 
-// The machine's cycles for a frame: the observer's store is read word by word, each visible pixel
-// takes its turn in the unit, the divider and the light map (one read, or four), and the mask is
-// written word by word. The stages overlap, so the frame takes as long as the busiest.
-struct PostProcessCycles {
-    std::uint64_t read = 0, transform = 0, divide = 0, lookup = 0, write = 0;
-    std::uint64_t overlapped() const;
-};
-PostProcessCycles post_process_cycles(std::uint64_t visible, const Settings& settings,
-                                      bool affine);
-
 }  // namespace umbra78::shadow

@@ -62,6 +62,10 @@ void write_contact_sheet(const Path& path, const FigureSet& set, FileSet& files)
     write_sheet(path, cells, {.columns = 3}, &files);
 }
 
+double machine_ms(const FigureSet& set, const Figure& f) {
+    return simulated_ms(f.machine_cycles, set.clock_ns());
+}
+
 ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total_ms) {
     ordered_json json{{"size_px", set.size_px()}, {"cycle_ns", set.clock_ns()}};
     for (const Figure& f : set.figures()) {
@@ -71,8 +75,8 @@ ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total
                                    {"buffer", f.golden},
                                    {"hash", f.hash},
                                    {"golden", goldens.at(f.golden)},
-                                   {"transform_cycles", f.transform_cycles},
-                                   {"simulated_ms", simulated_ms(f.transform_cycles, set.clock_ns())},
+                                   {"machine_cycles", f.machine_cycles},
+                                   {"simulated_ms", machine_ms(set, f)},
                                    {"host_ms", f.host_ms},
                                    {"bias", to_json(f.bias)},
                                    {"error", to_json(f.error)},
@@ -88,12 +92,12 @@ void print_rows(const FigureSet& set, const Statuses& goldens) {
                "golden", "cycles", "sim ms", "host ms", "FS %", "FL %");
     for (const Figure& f : set.figures())
         fmt::print("{:<4}{:<33}{:<39}{:<8}{:>9}{:>8.1f}{:>9.1f}{:>8}{:>8}\n", f.number, f.shows,
-                   f.hash, goldens.at(f.golden), f.transform_cycles,
-                   simulated_ms(f.transform_cycles, set.clock_ns()), f.host_ms, percent(false_shadow(f)),
-                   percent(false_light(f)));
-    fmt::print("\ncycles: of the transform unit, from scene to figure, at {} ns each; host ms: the "
-               "same way here.\nFS, FL: false shadow of the pixels lit in truth, false light of "
-               "those in shadow; mask >= 128 is shadow.\n", set.clock_ns());
+                   f.hash, goldens.at(f.golden), f.machine_cycles, machine_ms(set, f), f.host_ms,
+                   percent(false_shadow(f)), percent(false_light(f)));
+    fmt::print("\ncycles: of the machine, from scene to figure, at {} ns each; host ms: the same "
+               "way here.\nFS, FL: false shadow of the pixels lit in truth, false light of "
+               "those in shadow; mask >= 128 is shadow.\n",
+               set.clock_ns());
     for (const Figure& f : set.figures()) {
         if (!f.error || f.number == 6) continue;  // figure 6 is figure 5's mask
         fmt::print("Fig. {}: bias {}; outside one light texel of the edge FS {} %, FL {} %; "

@@ -1,5 +1,6 @@
 // umbra78 render: a scene file to a picture, its buffers, and what they cost.
 #include "tools/commands.hpp"
+#include "tools/cycle_report.hpp"
 #include "tools/report.hpp"
 #include "tools/settings_text.hpp"
 
@@ -71,7 +72,7 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
         json["hashes"][name_of(plane)] = hash_of(job.buffer(plane));
     json["error"] = to_json(rendered.error);
     json["bias"] = to_json(bias_report(rendered.scene.light, job));
-    json["machine"] = to_json(job.cost());
+    json["machine"] = tools::to_json(job.ledger(), rendered.scene.settings.timing.clock_ns);
     json["host_ms"] = to_json(job.times());
     json["settings"] = settings_json(rendered.scene.settings);
     json["warnings"] = rendered.scene.warnings;
@@ -86,10 +87,12 @@ void print_rows(const Options& options, const Rendered& rendered) {
     for (const Plane plane : all_planes)
         fmt::print("{:<11} {}\n", name_of(plane), hash_of(job.buffer(plane)));
     fmt::print("bias        {}\n", print(bias_report(rendered.scene.light, job)));
-    const MachineCost cost = job.cost();
-    fmt::print("machine     {} transform-unit cycles, {:.1f} ms at {} ns a cycle\n",
-               cost.transform_cycles(), cost.transform_ms(), cost.clock_ns);
-    if (cost.array) fmt::print("{}", print(*cost.array, cost.clock_ns));
+    const shadow::FrameLedger ledger = job.ledger();
+    const int clock_ns = rendered.scene.settings.timing.clock_ns;
+    fmt::print("machine     {:.1f} ms at {} ns a cycle, {:.1f} of them for the transformation; see "
+               "umbra78 cycles\n",
+               simulated_ms(ledger.total(true), clock_ns), clock_ns,
+               simulated_ms(ledger.transformation(true), clock_ns));
     const StageTimes& t = job.times();
     fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
                "{:.1f}\n",

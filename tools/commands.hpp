@@ -11,5 +11,6 @@ void add_figures_command(CLI::App&, int& exit_code);
 void add_render_command(CLI::App&, int& exit_code);
 void add_settings_command(CLI::App&, int& exit_code);
 void add_bands_command(CLI::App&, int& exit_code);
+void add_cycles_command(CLI::App&, int& exit_code);
 
 }  // namespace umbra78::tools

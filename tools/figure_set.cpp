@@ -1,5 +1,7 @@
 #include "tools/figure_set.hpp"
 
+#include "tools/cycle_report.hpp"
+
 #include <utility>
 
 namespace umbra78::tools {
@@ -35,18 +37,18 @@ FigureSet::FigureSet()
     job_.draw_observer();
     visible_ = job_.visible();
     const StageTimes drawn = job_.times();
+    const auto cycles = [&](int figure) { return of_figure(job_.ledger(), figure).total(true); };
     add(1, "picture, no shadows yet", copy(Plane::intensity),
-        job_.buffer(Plane::intensity), job_.cost().observer_cycles,
+        job_.buffer(Plane::intensity), cycles(1),
         drawn.matrices_ms + drawn.observer_ms);
     add(2, "the light's depth map", depth_as_gray(job_.buffer(Plane::light_z)),
-        job_.buffer(Plane::light_z), job_.cost().light_cycles, drawn.matrices_ms + drawn.light_ms);
+        job_.buffer(Plane::light_z), cycles(2), drawn.matrices_ms + drawn.light_ms);
 
-    const auto cost_so_far = [&] { return job_.cost().transform_cycles(); };
     const auto ms_so_far = [&] { return job_.times().total_ms(); };
     job_.cast_shadows();
     mask3_ = copy(Plane::mask);
-    add(3, "shadow: nearest lookup, low bias", mask3_, mask_buffer("mask3", mask3_),
-        cost_so_far(), ms_so_far(), mask3_);
+    add(3, "shadow: nearest lookup, low bias", mask3_, mask_buffer("mask3", mask3_), cycles(3),
+        ms_so_far(), mask3_);
 
     shadow::Settings index = figure_settings(3);
     index.registration = shadow::Registration::index;
@@ -58,17 +60,17 @@ FigureSet::FigureSet()
     job_.use(figure_settings(4));
     job_.cast_shadows();
     add(4, "shadow: bilinear, dither, bias", copy(Plane::mask),
-        named(job_.buffer(Plane::mask), "mask4"), cost_so_far(), ms_so_far(),
+        named(job_.buffer(Plane::mask), "mask4"), cycles(4), ms_so_far(),
         job_.bytes(Plane::mask));
 
     // Figures 5 and 6 share figure 4's comparison.
     job_.use(figure_settings(6));
     job_.filter_and_composite();
     add(5, "edges dequantized, low-passed", copy(Plane::filtered),
-        named(job_.buffer(Plane::filtered), "filtered5"), cost_so_far(), ms_so_far(),
+        named(job_.buffer(Plane::filtered), "filtered5"), cycles(5), ms_so_far(),
         job_.bytes(Plane::filtered));
     add(6, "shadow laid on the picture", copy(Plane::picture),
-        named(job_.buffer(Plane::picture), "picture6"), cost_so_far(), ms_so_far(),
+        named(job_.buffer(Plane::picture), "picture6"), cycles(6), ms_so_far(),
         job_.bytes(Plane::filtered));
 }
 

@@ -20,7 +20,7 @@ struct Figure {
     std::vector<std::uint8_t> picture;  // gray, size_px * size_px
     std::string golden;                 // the buffer that the picture is, or is made from
     std::string hash;                   // of that buffer
-    std::uint64_t transform_cycles;     // from scene to figure, as are the milliseconds
+    std::uint64_t machine_cycles;       // from scene to figure, as are the milliseconds
     double host_ms;
     BiasReport bias;
     std::optional<ShadowReport> error;  // figures 3 to 6

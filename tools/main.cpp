@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
     int exit_code = 0;
     add_figures_command(app, exit_code);
     add_render_command(app, exit_code);
+    add_cycles_command(app, exit_code);
     add_bands_command(app, exit_code);
     add_settings_command(app, exit_code);
     app.footer("Example:\n  umbra78 figures --out out");  // last: subcommands would inherit it

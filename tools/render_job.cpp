@@ -16,8 +16,6 @@ double timed_ms(Stage stage) {
         .count();
 }
 
-constexpr std::uint64_t control_points = 16;
-
 }  // namespace
 
 RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings)
@@ -93,22 +91,12 @@ void RenderJob::render() {
     filter_and_composite();
 }
 
-MachineCost RenderJob::cost() const {
-    const auto drawing = [&](const hw::MatrixWords& matrix) {
-        const hw::UnitCost unit = hw::transform_cost(settings_.machine, matrix.affine);
-        return control_points * scene_.patches.size() *
-               static_cast<std::uint64_t>(unit.cycles_per_point);
-    };
-    MachineCost cost{settings_.timing.clock_ns, drawing(matrices_.world_to_light),
-                     drawing(matrices_.world_to_observer), {}, {}};
-    const bool affine = matrices_.observer_to_light.affine;
-    if (settings_.arithmetic == shadow::Arithmetic::ap120b) {
-        cost.array = shadow::array_cost(counts_.post_process, settings_, affine);
-    } else {
-        cost.post_process =
-            shadow::post_process_cycles(counts_.post_process.visible, settings_, affine);
-    }
-    return cost;
+shadow::FrameLedger RenderJob::ledger() const {
+    return std::visit(
+        [&](const auto& frame) {
+            return shadow::frame_ledger(scene_, settings_, matrices_, frame, counts_);
+        },
+        frame_);
 }
 
 const char* name_of(Plane plane) {

@@ -5,15 +5,14 @@
 // what stands still between two pictures is drawn once. Host times are wall clock, milliseconds.
 #pragma once
 
-#include "shadow/ap120b_cost.hpp"
 #include "shadow/frame.hpp"
+#include "shadow/ledger.hpp"
 #include "tools/buffers.hpp"
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <new>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -30,19 +29,6 @@ constexpr double simulated_ms(std::uint64_t cycles, int clock_ns) {
     return static_cast<double>(cycles) * clock_ns * 1e-6;
 }
 
-// What the transform unit did, in its cycles. Drawing transforms the 16 control points of each
-// patch; subdivision by adds and shifts has no cycle count yet.
-struct MachineCost {
-    int clock_ns = 0;
-    std::uint64_t light_cycles = 0, observer_cycles = 0;
-    shadow::PostProcessCycles post_process;  // in the correct form of every generated point
-    std::optional<shadow::ArrayCost> array;  // or instead of that, where the AP-120B does it
-
-    std::uint64_t transform_cycles() const {
-        return light_cycles + observer_cycles + post_process.transform;
-    }
-    double transform_ms() const { return simulated_ms(transform_cycles(), clock_ns); }
-};
 // A frame's planes. Z is 16 or 32 bits a word, the others are 8.
 enum class Plane : std::uint8_t {
     observer_z,
@@ -77,7 +63,8 @@ public:
     const shadow::FrameMatrices& matrices() const { return matrices_; }
     const shadow::FrameCounts& counts() const { return counts_; }
     const StageTimes& times() const { return times_; }
-    MachineCost cost() const;
+    // What the frame takes on the machine; draws both views once more, to count.
+    shadow::FrameLedger ledger() const;
     std::size_t frame_bytes() const { return bytes_; }
 
     // A view into the frame, as it stands.

@@ -1,4 +1,4 @@
-// The figures of merit of a frame as text and JSON: bias, errors, cycles, times.
+// The figures of merit of a frame as text and JSON: bias, errors, times.
 #pragma once
 
 #include "tools/render_job.hpp"
@@ -22,8 +22,6 @@ std::string percent(std::optional<double> rate);  // "23.87" or "n/a"
 
 nlohmann::ordered_json to_json(const BiasReport&);
 nlohmann::ordered_json to_json(const StageTimes&);
-nlohmann::ordered_json to_json(const MachineCost&);
-std::string print(const shadow::ArrayCost&, int clock_ns);  // the ledger, a line a step
 nlohmann::ordered_json to_json(const std::optional<ShadowReport>&);  // null for none
 
 // With two blanks of indent and a newline at the end.

@@ -1,5 +1,6 @@
 // The post-process's cost depends on what is seen, not on what is drawn: ten times as many patches
 // change neither its points nor its cycles, while drawing them grows.
+#include "shadow/ledger.hpp"
 #include "tests/claims/ground.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace umbra78::claims {
@@ -15,15 +17,21 @@ namespace {
 using raster::Patch;
 using raster::World;
 using shadow::figure_settings;
-using shadow::PostProcessCycles;
+using shadow::PostProcessLedger;
 
 using Patches = std::vector<Patch>;
 
 struct Cost {
     shadow::FrameCounts counts;
-    PostProcessCycles cycles;
+    PostProcessLedger cycles;
     std::vector<std::uint8_t> mask;
 };
+
+std::uint64_t work(const Cost& cost, std::string_view stage) {
+    for (const auto& row : cost.cycles.rows)
+        if (row.stage == stage) return row.work;
+    return 0;
+}
 
 Cost draw(const std::string& what, const Patches& patches) {
     shadow::Scene scene = figures().scene();
@@ -32,27 +40,25 @@ Cost draw(const std::string& what, const Patches& patches) {
     const shadow::test::Frame<> frame(scene, s);
     EXPECT_EQ(frame.status, shadow::FrameStatus::ok);
     const Cost cost{frame.counts,
-                    post_process_cycles(frame.counts.post_process.visible, s,
-                                        frame.matrices.observer_to_light.affine),
+                    frame_ledger(scene, s, frame.matrices, frame.buffers, frame.counts)
+                        .post_process,
                     {frame.buffers.mask.begin(), frame.buffers.mask.end()}};
     const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
     std::printf("%-28s %5llu patches, %7llu blocks and %8llu samples drawn in both views; "
-                "post-process: %llu pixels, %llu cycles (transform %llu)\n",
+                "post-process: %llu pixels, %llu cycles (multipliers %llu)\n",
                 what.c_str(), number(cost.counts.observer.patches),
                 number(cost.counts.observer.blocks + cost.counts.light.blocks),
                 number(cost.counts.observer.samples + cost.counts.light.samples),
-                number(cost.counts.post_process.visible), number(cost.cycles.overlapped()),
-                number(cost.cycles.transform));
+                number(cost.counts.post_process.visible), number(cost.cycles.total),
+                number(work(cost, "multiply")));
     return cost;
 }
 
 void expect_equal_cost(const Cost& a, const Cost& b) {
     EXPECT_EQ(a.counts.post_process.visible, b.counts.post_process.visible);
-    EXPECT_EQ(a.cycles.read, b.cycles.read);
-    EXPECT_EQ(a.cycles.transform, b.cycles.transform);
-    EXPECT_EQ(a.cycles.divide, b.cycles.divide);
-    EXPECT_EQ(a.cycles.lookup, b.cycles.lookup);
-    EXPECT_EQ(a.cycles.write, b.cycles.write);
+    EXPECT_EQ(a.cycles.total, b.cycles.total);
+    for (int k = 0; k < a.cycles.count; ++k)
+        EXPECT_EQ(a.cycles.rows[std::size_t(k)].work, b.cycles.rows[std::size_t(k)].work) << k;
 }
 
 Patches once() { return {figures().patches.begin(), figures().patches.end()}; }
@@ -142,9 +148,9 @@ TEST(Cost, SixteenPartsForEachPatch) {
     const std::uint64_t before = a.counts.post_process.visible;
     const std::uint64_t after = b.counts.post_process.visible;
     EXPECT_LE(after > before ? after - before : before - after, 4u);
-    EXPECT_EQ(a.cycles.transform + 3 * after, b.cycles.transform + 3 * before);
-    EXPECT_EQ(a.cycles.lookup + 4 * after, b.cycles.lookup + 4 * before);
-    EXPECT_EQ(a.cycles.read + a.cycles.write, b.cycles.read + b.cycles.write);
+    EXPECT_EQ(work(a, "multiply") + 3 * after, work(b, "multiply") + 3 * before);
+    EXPECT_EQ(work(a, "fetch") + 4 * after, work(b, "fetch") + 4 * before);
+    EXPECT_EQ(work(a, "read"), work(b, "read"));
     std::size_t differing = 0;
     for (std::size_t k = 0; k < a.mask.size(); ++k) differing += a.mask[k] != b.mask[k];
     std::printf("pixels of the mask that differ: %zu\n", differing);
@@ -156,7 +162,7 @@ TEST(Cost, OfOneSphereIsLess) {
     Patches one = once();
     one.resize(raster::patches_per_sphere);
     const Cost a = draw("figures", once()), b = draw("one sphere", one);
-    EXPECT_LT(3 * b.cycles.transform, a.cycles.transform);
+    EXPECT_LT(3 * work(b, "multiply"), work(a, "multiply"));
     EXPECT_LT(3 * b.counts.post_process.visible, a.counts.post_process.visible);
 }
 

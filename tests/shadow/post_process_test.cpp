@@ -323,35 +323,5 @@ TEST(PostProcessRows, ExtremeShifts) {
     EXPECT_GT(shadowed, 1000u);
 }
 
-// --- what the frame is charged ------------------------------------------------------------------
-
-TEST(PostProcessCycles, AreTheClosedForm) {
-    Settings s;
-    const std::uint64_t n = 106772;
-    const PostProcessCycles nearest = post_process_cycles(n, s, true);
-    EXPECT_EQ(nearest.read, 262144u);
-    EXPECT_EQ(nearest.write, 262144u);
-    EXPECT_EQ(nearest.transform, 3 * n + 3) << "three rows on four multipliers, three to drain";
-    EXPECT_EQ(nearest.divide, 0u) << "w is 1";
-    EXPECT_EQ(nearest.lookup, n);
-    EXPECT_EQ(nearest.overlapped(), nearest.transform);
-    s.lookup = Lookup::bilinear;
-    EXPECT_EQ(post_process_cycles(n, s, true).lookup, 4 * n);
-    EXPECT_EQ(post_process_cycles(n, s, true).overlapped(), 4 * n);
-    const PostProcessCycles perspective = post_process_cycles(n, s, false);
-    EXPECT_EQ(perspective.transform, 4 * n + 3);
-    EXPECT_EQ(perspective.divide,
-              n * static_cast<std::uint64_t>(hw::serial_divide_cycles(s.machine)));
-    for (const int multipliers : {1, 4, 16}) {
-        s.machine.multipliers = multipliers;
-        const std::uint64_t each = multipliers == 1 ? 9 : multipliers == 4 ? 3 : 1;
-        const PostProcessCycles c = post_process_cycles(n, s, true);
-        EXPECT_EQ(c.transform - post_process_cycles(n - 1, s, true).transform, each);
-    }
-    const PostProcessCycles empty = post_process_cycles(0, s, true);
-    EXPECT_EQ(empty.transform + empty.divide + empty.lookup, 0u);
-    EXPECT_EQ(empty.overlapped(), 262144u) << "the stores are still read and written";
-}
-
 }  // namespace
 }  // namespace umbra78::shadow

@@ -228,6 +228,23 @@ TEST_F(Program, SettingsAreTheTable) {
     EXPECT_EQ(table["profiles"].size(), shadow::profiles().size());
 }
 
+TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
+    const std::string scene = std::string(UMBRA78_SOURCE_DIR) + "/tools/scenes/figures.toml";
+    const json one = json::parse(run("cycles " + scene + " --json").out)["ledger"];
+    EXPECT_EQ(one["transformation"]["cycles"], 580249);
+    EXPECT_EQ(one["transformation"]["bottleneck"], "fetch");
+    EXPECT_EQ(one["phases"].size(), 5u);
+    const json single =
+        json::parse(run("cycles " + scene + " --profile affine16x1 --json").out)["ledger"];
+    EXPECT_EQ(single["transformation"]["bottleneck"], "multiply");
+    EXPECT_GT(single["frame_cycles"]["side_by_side"], one["frame_cycles"]["side_by_side"]);
+    const json all = json::parse(run("cycles " + scene + " --all --json").out)["profiles"];
+    EXPECT_EQ(all.size(), shadow::profiles().size());
+    EXPECT_NE(run("cycles " + scene).out.find("roughly twice"), std::string::npos);
+    const auto both = run("cycles " + scene + " --all --profile affine16");
+    EXPECT_EQ(both.exit_code, 2);
+}
+
 TEST_F(Program, BandsHasARowForEachReading) {
     const json rows = json::parse(run("bands --json").out);
     ASSERT_EQ(rows.size(), 16u);

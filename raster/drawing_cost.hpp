@@ -1,0 +1,76 @@
+// What drawing a view costs, in operations: counts of a drawing times what each thing takes.
+//
+// The constants count the additions, products and quotients in the formulas of hw/MACHINE.md,
+// sections 6, 7, 9 and 14, component by component; the table there (section 16) is this one.
+#pragma once
+
+#include "hw/operations.hpp"
+#include "raster/draw.hpp"
+
+#include <cstdint>
+
+namespace umbra78::raster {
+
+namespace cost {
+
+using hw::Operations;
+
+// Additions a component.
+inline constexpr std::uint64_t corners_from_control = 60;  // 4 x (gu 3, gv 3, guv 9)
+inline constexpr std::uint64_t bounds_and_fate = 43;
+inline constexpr std::uint64_t split = 16;  // 2 ends x 2 pairs x 4
+// 15 midpoints on 2 edges of 2 pairs, then on 17 columns of one pair, 4 additions each.
+inline constexpr std::uint64_t leaf_corners = 15 * 2 * 2 * 4 + 15 * 17 * 4;
+
+inline constexpr Operations leaf_window{16};           // least, greatest, slack, of X and Y
+inline constexpr Operations leaf_mean{12};             // three means of four, rounded
+inline constexpr Operations tested_centre{60, 16, 16};  // two triangles: an area, three edges each
+// Z of the plane (two products of 32 x 16 bits, a quotient of 22), the code; read, compare, write.
+inline constexpr Operations centre_sample{6, 2, 4, 1, 22, 2};
+inline constexpr Operations leaf_sample{3, 0, 0, 0, 0, 2};
+// Two tangents, their product and its length in 30-bit words; a root and three quotients.
+inline constexpr Operations corner_normal{48, 9, 36, 4, 30 + 3 * 15, 0};
+// The normal at the leaf (18 products), its length, N.l, N.v, r, S; a root and two quotients.
+constexpr Operations shaded_sample(int shininess) {
+    const auto n = static_cast<std::uint64_t>(shininess);
+    return {40 + n, 34 + n, 18 + 12 + 12 + 4 + n, 3, 30 + 2 * 15, 1};
+}
+inline constexpr std::uint64_t divided_corner_bits = 31;  // X, Y and Z of each corner
+
+}  // namespace cost
+
+// `counts` of a drawing in which nothing was left out as hidden.
+inline hw::Operations drawing_operations(const DrawCounts& counts, const MachineSpec& spec,
+                                         bool affine, Sampling sampling, bool shades,
+                                         int shininess) {
+    using hw::Operations;
+    constexpr std::uint64_t leaves_a_block = std::uint64_t{leaves} * leaves;
+    constexpr std::uint64_t corners_a_block = std::uint64_t{corners} * corners;
+    const std::uint64_t screen = affine ? 3 : 4, components = screen + (shades ? 3 : 0);
+    const auto transform = static_cast<std::uint64_t>(
+        hw::transform_cycles(spec, affine) * spec.multipliers);  // an idle multiplier counts
+    Operations o{.products = 16 * counts.patches * (affine ? 9u : 16u),
+                 .passes = 16 * counts.patches * transform};
+    o.adds += components * (counts.patches * cost::corners_from_control +
+                            counts.splits * cost::split);
+    o.adds += screen * (counts.tested_blocks * cost::bounds_and_fate +
+                        counts.blocks * cost::leaf_corners);
+    if (!affine) {
+        const std::uint64_t quotients = 3 * corners_a_block * counts.blocks;
+        o += Operations{.quotients = quotients,
+                        .quotient_bits = quotients * cost::divided_corner_bits};
+    }
+    const std::uint64_t leaves_drawn = leaves_a_block * counts.blocks;
+    if (sampling == Sampling::centre) {
+        o += leaves_drawn * cost::leaf_window + counts.tested_centres * cost::tested_centre +
+             counts.samples * cost::centre_sample;
+    } else {
+        o += leaves_drawn * cost::leaf_mean + counts.samples * cost::leaf_sample;
+    }
+    if (shades)
+        o += 4 * counts.blocks * cost::corner_normal +
+             counts.samples * cost::shaded_sample(shininess);
+    return o;
+}
+
+}  // namespace umbra78::raster

@@ -1,0 +1,105 @@
+// umbra78 cycles: where a frame's cycles go, on a machine of the time.
+#include "tools/commands.hpp"
+#include "tools/array_report.hpp"
+#include "tools/cycle_report.hpp"
+#include "tools/figure_set.hpp"
+#include "tools/report.hpp"
+#include "tools/scene_file.hpp"
+#include "tools/settings_text.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string scene, profile;
+    std::vector<std::string> set;
+    bool all = false, json = false;
+};
+
+void print_claim(const CostClaim& claim) {
+    fmt::print("the paper's \"roughly twice, plus a fixed transformation\": both views take {:.2f} "
+               "of the observer's,\nthe transformation {:.3f} of it; {:.2f} samples are drawn for "
+               "each visible pixel\n",
+               claim.both_views, claim.transformation, claim.depth_complexity);
+}
+
+void one_profile(const Options& options, const LoadedScene& scene) {
+    RenderJob job(scene.view(), scene.settings);
+    job.render();
+    const shadow::FrameLedger ledger = job.ledger();
+    const int clock_ns = scene.settings.timing.clock_ns;
+    if (options.json) {
+        ordered_json json{{"scene", options.scene}, {"ledger", to_json(ledger, clock_ns)}};
+        json["settings"] = settings_json(scene.settings);
+        fmt::print("{}", print(json));
+        return;
+    }
+    fmt::print("{}: {} ns a cycle, multipliers {}\n\n{}\n{}\n", options.scene, clock_ns,
+               scene.settings.machine.multipliers, print_frame(ledger, clock_ns),
+               ledger.on_array ? print(ledger.array, clock_ns)
+                               : print_post_process(ledger.post_process, clock_ns));
+    print_claim(cost_claim(ledger));
+}
+
+void all_profiles(const Options& options, const LoadedScene& scene) {
+    const std::vector<ProfileCost> costs = profile_costs(scene);
+    if (options.json) {
+        ordered_json json{{"scene", options.scene}, {"profiles", to_json(costs)}};
+        fmt::print("{}", print(json));
+        return;
+    }
+    fmt::print("{}", profile_table(costs));
+}
+
+// Without a scene: the table the paper could have printed.
+void all_figures(const Options& options) {
+    const auto figures = figure_costs();
+    if (!options.json) {
+        fmt::print("{}", figure_table(figures));
+        return;
+    }
+    ordered_json json = ordered_json::array();
+    for (std::size_t k = 0; k < figures.size(); ++k)
+        json.push_back({{"figure", k + 1}, {"profiles", to_json(figures[k])}});
+    fmt::print("{}", print(json));
+}
+
+void run(const Options& options) {
+    if (options.scene.empty()) return all_figures(options);
+    std::vector<std::string> set = options.set;
+    if (!options.profile.empty()) set.insert(set.begin(), "profile=" + options.profile);
+    const LoadedScene scene = load_scene(options.scene, set);
+    options.all ? all_profiles(options, scene) : one_profile(options, scene);
+}
+
+}  // namespace
+
+void add_cycles_command(CLI::App& app, int&) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("cycles", "Where a frame's cycles go, on a machine of the time");
+    command
+        ->add_option("scene", options->scene,
+                     "Scene file (TOML); without one, figures 1 to 6 by every profile")
+        ->type_name("FILE");
+    CLI::Option* profile =
+        command->add_option("--profile", options->profile, "A machine: see umbra78 settings")
+            ->type_name("PROFILE");
+    command->add_flag("--all", options->all, "A row for each profile")->excludes(profile);
+    command->add_option("--set", options->set, "key=value, as for umbra78 render")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command->add_flag("--json", options->json, "Print JSON instead of text");
+    command->footer("Example:\n  umbra78 cycles tools/scenes/figures.toml --profile affine16x1");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace umbra78::tools
