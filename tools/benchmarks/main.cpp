@@ -5,6 +5,7 @@
 
 #include "shadow/correct_form.hpp"
 #include "shadow/frame.hpp"
+#include "shadow/ledger.hpp"
 #include "shadow/paper_figures.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
 
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -72,8 +75,11 @@ Bench& bench_of(int figure) {
     return *b;
 }
 
+std::vector<std::string> names;  // in the order of the frame; the runs are in any order
+
 template <class Stage>
 void add(const std::string& name, int figure, Stage&& stage) {
+    names.push_back(name);
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
         Bench& b = bench_of(figure);
         const shadow::Settings settings = shadow::figure_settings(figure);
@@ -81,6 +87,32 @@ void add(const std::string& name, int figure, Stage&& stage) {
             stage(b, settings);
             benchmark::ClobberMemory();
         }
+    })->Unit(benchmark::kMillisecond);
+}
+
+shadow::PostProcessLedger pass_ledger(const Bench& b, const shadow::Settings& s) {
+    const shadow::PostProcessPlan plan(s, b.matrices.observer_to_light);
+    return shadow::closed_form(
+        shadow::schedule<Depth16>(b.frame.observer.depth, s.machine.background(),
+                                  plan.read_cycles, plan.slot_cycles),
+        plan);
+}
+
+// Reports the simulated cycles a second, too.
+void add_clocked(const std::string& name, int figure) {
+    names.push_back(name);
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+        Bench& b = bench_of(figure);
+        using Machine = shadow::ClockedPostProcess<Depth16>;
+        std::uint64_t cycles = 0;
+        for (auto _ : state) {
+            Machine machine(b.frame.observer, b.frame.light, b.matrices.observer_to_light,
+                            shadow::figure_settings(figure), b.frame.mask);
+            while (!machine.done()) machine.tick();
+            cycles += machine.cycles();
+        }
+        state.counters["cycles"] = benchmark::Counter(static_cast<double>(cycles),
+                                                      benchmark::Counter::kIsRate);
     })->Unit(benchmark::kMillisecond);
 }
 
@@ -101,6 +133,13 @@ void add_all() {
         shadow::post_process(b.frame.observer, b.frame.light, b.matrices.observer_to_light, s,
                              b.frame.mask);
     });
+    // The ledger of the pass as the functional machine gets it: one scan of the observer's Z.
+    add("post-process, figure 3, with its ledger", 3, [](Bench& b, const Settings& s) {
+        shadow::cast_shadows(s, b.matrices, b.frame, b.counts);
+        benchmark::DoNotOptimize(pass_ledger(b, s));
+    });
+    for (const int figure : {3, 4})
+        add_clocked(fmt::format("post-process, figure {}, clocked", figure), figure);
     add("matrices", 6, [](Bench& b, const Settings& s) {
         shadow::load_matrices(b.scene, s, b.matrices);
     });
@@ -116,32 +155,55 @@ void add_all() {
     add("figure 6, whole frame", 6, [](Bench& b, const Settings& s) {
         shadow::render(b.scene, s, b.frame, b.matrices, b.counts);
     });
+    add("figure 6, whole frame, with its ledger", 6, [](Bench& b, const Settings& s) {
+        shadow::render(b.scene, s, b.frame, b.matrices, b.counts);
+        benchmark::DoNotOptimize(pass_ledger(b, s));
+    });
 }
 
-// Collects the medians and prints them beside their ratio to the baseline.
+// Collects the medians and prints them beside their ratio to the baseline; as CSV, where asked.
 class RatioReporter : public benchmark::BenchmarkReporter {
 public:
+    explicit RatioReporter(std::string csv) : csv_(std::move(csv)) {}
+
     bool ReportContext(const Context&) override { return true; }
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs) {
             if (run.run_type != Run::RT_Aggregate || run.aggregate_name != "median") continue;
-            rows_.emplace_back(run.run_name.function_name, run.GetAdjustedRealTime());
+            const auto cycles = run.counters.find("cycles");
+            rows_.push_back({run.run_name.function_name, run.GetAdjustedCPUTime(),
+                             cycles == run.counters.end() ? 0.0 : cycles->second.value});
         }
     }
     void Finalize() override {
+        const auto place = [](const Row& r) {
+            return std::find(names.begin(), names.end(), r.name);
+        };
+        std::sort(rows_.begin(), rows_.end(),
+                  [&](const Row& a, const Row& b) { return place(a) < place(b); });
         const auto base = std::find_if(rows_.begin(), rows_.end(),
-                                       [](const auto& r) { return r.first == baseline_name; });
+                                       [](const Row& r) { return r.name == baseline_name; });
         fmt::print("{:<44} {:>10} {:>8}\n", "stage", "median ms", "ratio");
-        for (const auto& [name, ms] : rows_) {
+        std::string csv = "stage,median_ms,ratio,cycles_a_second\n";
+        for (const Row& r : rows_) {
             const std::string ratio =
-                base == rows_.end() ? "" : fmt::format("{:.2f}", ms / base->second);
-            fmt::print("{:<44} {:>10.3f} {:>8}\n", name, ms, ratio);
+                base == rows_.end() ? "" : fmt::format("{:.2f}", r.ms / base->ms);
+            const std::string speed =
+                r.cycles == 0 ? "" : fmt::format("  {:.1f} million cycles/s", r.cycles * 1e-6);
+            fmt::print("{:<44} {:>10.3f} {:>8}{}\n", r.name, r.ms, ratio, speed);
+            csv += fmt::format("\"{}\",{:.4f},{},{:.0f}\n", r.name, r.ms, ratio, r.cycles);
         }
         fmt::print("ratio: to the affine float baseline, medians of one interleaved run\n");
+        if (!csv_.empty()) std::ofstream(csv_) << csv;
     }
 
 private:
-    std::vector<std::pair<std::string, double>> rows_;
+    struct Row {
+        std::string name;
+        double ms, cycles;
+    };
+    std::string csv_;
+    std::vector<Row> rows_;
 };
 
 }  // namespace
@@ -158,7 +220,8 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&count, args.data());
     if (benchmark::ReportUnrecognizedArguments(count, args.data())) return 2;
     add_all();
-    RatioReporter reporter;
+    const char* csv = std::getenv("UMBRA78_BENCH_CSV");  // set by tools/bench
+    RatioReporter reporter(csv == nullptr ? "" : csv);
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();
 }
