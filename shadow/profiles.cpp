@@ -47,7 +47,7 @@ constexpr std::string_view fps_clock =
 constexpr std::array ap120b{
     ProfileValue{"arithmetic", 1, published, fps},
     ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps_clock},
-    ProfileValue{"array_memory", 0, assumed, "the cheaper of the two memories sold"},
+    ProfileValue{"array_memory", 0, assumed, ours},
 };
 constexpr std::array ap120b_fast{
     ProfileValue{"arithmetic", 1, published, fps},
