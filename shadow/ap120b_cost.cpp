@@ -3,6 +3,8 @@
 #include "fixed/rounding.hpp"
 #include "hw/ap120b_transform.hpp"
 
+#include <algorithm>
+
 namespace umbra78::shadow {
 namespace {
 
@@ -60,6 +62,12 @@ ArrayCost array_cost(const PostProcessCounts& counts, const Settings& settings, 
     // In: px, py, code; out: the texel's two numbers; in: its codes; out: the mask, two a word.
     c.host_bytes = 2 * (3 + 2 + codes) + 1;
     return c;
+}
+
+const ArrayStep& ArrayCost::longest() const {
+    return *std::max_element(step.begin(), step.begin() + steps, [this](auto& a, auto& b) {
+        return cycles(a) < cycles(b);
+    });
 }
 
 std::uint64_t ArrayCost::cycles() const {

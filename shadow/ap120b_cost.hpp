@@ -41,6 +41,7 @@ struct ArrayCost {
     std::uint64_t cycles(const ArrayStep& s) const {
         return pixels * static_cast<std::uint64_t>(s.elements * s.cycles);
     }
+    const ArrayStep& longest() const;
     std::uint64_t cycles() const;
     std::uint64_t calls() const;
     std::uint64_t transfer_us() const {

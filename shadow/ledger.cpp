@@ -131,6 +131,10 @@ PostProcessLedger ledger_of(const ClockedPostProcess<Depth>& machine) {
     return l;
 }
 
+std::string_view FrameLedger::bottleneck() const {
+    return on_array ? array.longest().name : post_process.bottleneck().stage;
+}
+
 std::uint64_t FrameLedger::filters(bool overlap) const {
     return cycles(dequantize, overlap) + cycles(low_pass, overlap) + cycles(composite, overlap);
 }
@@ -150,13 +154,14 @@ FrameLedger frame_ledger(const Scene& scene, const Settings& s, const FrameMatri
                       l.light_counts);
     l.observer = drawing(scene, s, matrices, matrices.world_to_observer, *frame.draw, true,
                          l.observer_counts);
+    l.on_array = s.arithmetic == Arithmetic::ap120b;
     const PostProcessPlan plan(s, matrices.observer_to_light);
     const Schedule plain =
         s.form == Form::correct
             ? correct_form_schedule(l.observer_counts.samples, plan)
             : schedule<Depth>(frame.observer.depth, m.background(), plan.read_cycles,
                               plan.slot_cycles);
-    if (s.arithmetic == Arithmetic::ap120b) {
+    if (l.on_array) {
         l.array = array_cost(counts.post_process, s, matrices.observer_to_light.affine);
     } else {
         l.post_process = closed_form(plain, plan);

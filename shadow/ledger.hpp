@@ -1,7 +1,8 @@
 // The cycle ledger of a frame: what each unit did in each phase, and what the frame takes.
 //
 //   light's view, observer's view   operations of the drawing (raster/drawing_cost.hpp)
-//   transformation                  the clocked post-process, stage by stage
+//   transformation                  the clocked post-process, stage by stage; or, where that is the
+//                                   arithmetic, the AP-120B's routines, one after the other
 //   filters                         operations of dequantizing, low-pass and composite
 //
 // The functional machine knows its cycles without ticking: where nothing is held, a stage works
@@ -16,7 +17,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace umbra78::shadow {
@@ -56,8 +56,9 @@ struct PhaseLedger {
 
 struct FrameLedger {
     PhaseLedger light, observer, dequantize, low_pass, composite;
-    PostProcessLedger post_process;
-    std::optional<ArrayCost> array;  // instead of it, where an AP-120B does the work
+    PostProcessLedger post_process;  // empty on the AP-120B
+    bool on_array = false;
+    ArrayCost array;
     raster::DrawCounts light_counts, observer_counts;  // with nothing left out as hidden
     std::uint64_t visible = 0;
 
@@ -66,9 +67,10 @@ struct FrameLedger {
         return overlap ? p.units.side_by_side() : p.units.one_after_the_other();
     }
     std::uint64_t transformation(bool overlap) const {
-        if (array) return array->cycles();  // routine after routine, whatever overlaps in each
+        if (on_array) return array.cycles();  // a routine at a time
         return overlap ? post_process.total : post_process.without_overlap();
     }
+    std::string_view bottleneck() const;  // of the transformation
     std::uint64_t filters(bool overlap) const;
     std::uint64_t total(bool overlap) const;
 };

@@ -50,15 +50,17 @@ constexpr std::array perspective24{
 };
 
 constexpr std::string_view fps =
-    "Floating Point Systems, AP Math Library Manual 860-7288-004, 1979";
+    "Williams 1978 names it; Floating Point Systems, AP Math Library Manual 860-7288-004, 1979";
+constexpr std::string_view fps_clock =
+    "the same; the other units are taken at the same clock";
 constexpr std::array ap120b{
-    ProfileValue{"arithmetic", 1, published, "the paper names it as what NYIT meant to use"},
-    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps},
-    ProfileValue{"array_memory", 0, assumed, "the cheaper of the two memories sold"},
+    ProfileValue{"arithmetic", 1, published, fps},
+    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps_clock},
+    ProfileValue{"array_memory", 0, assumed, ours},
 };
 constexpr std::array ap120b_fast{
-    ProfileValue{"arithmetic", 1, published, "the paper names it as what NYIT meant to use"},
-    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps},
+    ProfileValue{"arithmetic", 1, published, fps},
+    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps_clock},
     ProfileValue{"array_memory", 1, published, fps},
 };
 

@@ -1,5 +1,6 @@
 // umbra78 cycles: where a frame's cycles go, on a machine of the time.
 #include "tools/commands.hpp"
+#include "tools/array_report.hpp"
 #include "tools/cycle_report.hpp"
 #include "tools/figure_set.hpp"
 #include "tools/memory_report.hpp"
@@ -51,8 +52,8 @@ void one_profile(const Options& options, const LoadedScene& scene) {
     }
     fmt::print("{}: {} ns a cycle\n\n{}\n{}\n", options.scene, clock_ns,
                print_frame(ledger, clock_ns),
-               ledger.array ? print_array(*ledger.array, clock_ns)
-                            : print_post_process(ledger.post_process, clock_ns));
+               ledger.on_array ? print(ledger.array, clock_ns)
+                               : print_post_process(ledger.post_process, clock_ns));
     if (has_memory(scene)) fmt::print("{}\n", print_memory(job.replay_memory()));
     print_claim(cost_claim(ledger));
 }

@@ -1,6 +1,7 @@
 #include "tools/cycle_report.hpp"
 
 #include "shadow/profiles.hpp"
+#include "tools/array_report.hpp"
 #include "tools/figure_set.hpp"
 #include "tools/markdown.hpp"
 #include "tools/scene_file.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -55,35 +55,6 @@ ordered_json to_json(const shadow::PostProcessLedger& l) {
             {"stages", stages}};
 }
 
-const char* name_of(shadow::ArrayStepSource source) {
-    constexpr const char* names[] = {"replayed", "published", "assumed"};
-    return names[static_cast<std::size_t>(source)];
-}
-
-ordered_json to_json(const shadow::ArrayCost& cost, int clock_ns) {
-    ordered_json steps = ordered_json::array();
-    for (const shadow::ArrayStep& s : cost.list())
-        steps.push_back({{"step", s.name},
-                         {"source", name_of(s.source)},
-                         {"elements_a_pixel", s.elements},
-                         {"cycles_an_element", s.cycles},
-                         {"ms", simulated_ms(cost.cycles(s), clock_ns)}});
-    return {{"cycles", cost.cycles()},
-            {"ms", simulated_ms(cost.cycles(), clock_ns)},
-            {"host_transfer_ms", static_cast<double>(cost.transfer_us()) * 1e-3},
-            {"library_calls", cost.calls()},
-            {"steps", steps}};
-}
-
-std::string bottleneck(const FrameLedger& l) {
-    if (!l.array) return std::string(l.post_process.bottleneck().stage);
-    const auto steps = l.array->list();
-    const auto less = [&](const auto& a, const auto& b) {
-        return l.array->cycles(a) < l.array->cycles(b);
-    };
-    return std::string(std::max_element(steps.begin(), steps.end(), less)->name);
-}
-
 ProfileCost profile_cost(const LoadedScene& scene, const shadow::Profile& profile, int figure) {
     ProfileCost cost;
     cost.profile = profile.name;
@@ -97,7 +68,7 @@ ProfileCost profile_cost(const LoadedScene& scene, const shadow::Profile& profil
             return simulated_ms(cycles, settings.timing.clock_ns);
         };
         cost.claim = cost_claim(whole);
-        cost.busiest = bottleneck(whole);
+        cost.busiest = whole.bottleneck();
         cost.observer_ms = ms(FrameLedger::cycles(l.observer, true));
         cost.light_ms = ms(FrameLedger::cycles(l.light, true));
         cost.transformation_ms = ms(l.transformation(true));
@@ -148,8 +119,9 @@ std::string print_frame(const FrameLedger& l, int clock_ns) {
     for (const auto& [name, phase] : phases(l)) {
         if (phase == &l.dequantize)
             text += fmt::format("{:<16}{:>48}{:>14}{:>18}{:>11.2f}  {}\n", "transformation",
-                                "see below", l.transformation(true), l.transformation(false),
-                                simulated_ms(l.transformation(true), clock_ns), bottleneck(l));
+                                l.on_array ? "AP-120B, see below" : "clocked, see below",
+                                l.transformation(true), l.transformation(false),
+                                simulated_ms(l.transformation(true), clock_ns), l.bottleneck());
         row(name, *phase);
     }
     text += fmt::format("{:<16}{:>62}{:>18}{:>11.2f}\n", "frame", l.total(true), l.total(false),
@@ -176,21 +148,6 @@ std::string print_post_process(const shadow::PostProcessLedger& l, int clock_ns)
     return text;
 }
 
-std::string print_array(const shadow::ArrayCost& cost, int clock_ns) {
-    std::string text = fmt::format("AP-120B     {} cycles, {:.1f} ms\n", cost.cycles(),
-                                   simulated_ms(cost.cycles(), clock_ns));
-    for (const shadow::ArrayStep& s : cost.list())
-        text += fmt::format("  {:<24}{:>8.1f} ms  {} x {} cycles a pixel ({})\n", s.name,
-                            simulated_ms(cost.cycles(s), clock_ns), s.elements, s.cycles,
-                            name_of(s.source));
-    const auto call_ms = [&](int us) { return static_cast<double>(cost.calls()) * us * 1e-3; };
-    return text + fmt::format("  apart: host transfer {:.1f} ms (assumed); {} library calls, "
-                              "{:.0f} to {:.0f} ms of overhead (published)\n",
-                              static_cast<double>(cost.transfer_us()) * 1e-3, cost.calls(),
-                              call_ms(shadow::array_call_least_us),
-                              call_ms(shadow::array_call_most_us));
-}
-
 ordered_json to_json(const FrameLedger& l, int clock_ns) {
     ordered_json json{{"clock_ns", clock_ns}};
     for (const auto& [name, phase] : phases(l))
@@ -202,7 +159,7 @@ ordered_json to_json(const FrameLedger& l, int clock_ns) {
                                   {"side_by_side", phase->units.side_by_side()},
                                   {"one_after_the_other", phase->units.one_after_the_other()}});
     json["transformation"] =
-        l.array ? to_json(*l.array, clock_ns) : to_json(l.post_process);
+        l.on_array ? to_json(l.array, clock_ns) : to_json(l.post_process);
     json["frame_cycles"] = {{"side_by_side", l.total(true)},
                             {"one_after_the_other", l.total(false)}};
     json["frame_ms"] = simulated_ms(l.total(true), clock_ns);
@@ -216,7 +173,7 @@ ordered_json to_json(const FrameLedger& l, int clock_ns) {
 FrameLedger of_figure(FrameLedger l, int figure) {
     if (figure == 1) l.light = {};
     if (figure == 2) l.observer = {};
-    if (figure < 3) l.post_process = {}, l.array.reset();
+    if (figure < 3) l.post_process = {}, l.array = {};
     if (figure < 5) l.dequantize = l.low_pass = {};
     if (figure < 6) l.composite = {};
     return l;

@@ -22,9 +22,6 @@ std::string print_frame(const shadow::FrameLedger&, int clock_ns);
 // Stage by stage: work, blocked and by whom, held, idle; the bottleneck.
 std::string print_post_process(const shadow::PostProcessLedger&, int clock_ns);
 
-// Routine by routine.
-std::string print_array(const shadow::ArrayCost&, int clock_ns);
-
 nlohmann::ordered_json to_json(const shadow::FrameLedger&, int clock_ns);
 
 // What the paper says of the cost, in this frame: "roughly twice" the rendering, "plus a fixed

@@ -33,17 +33,18 @@ ordered_json to_json(const shadow::PathTime& p) {
 }  // namespace
 
 std::string print_memory(const shadow::MemoryLedger& l) {
-    std::string text = fmt::format("{:<14}{:>10}{:>11}{:>11}{:>7}{:>13}{:>12}{:>11}{:>10}\n", "store",
-                                   "accesses", "page hits", "row misses", "%", "row changes",
-                                   "refresh ms", "video ms", "busy ms");
+    std::string text =
+        fmt::format("{:<14}{:>10}{:>11}{:>11}{:>7}{:>13}{:>12}{:>11}{:>10}\n", "store", "accesses",
+                    "page hits", "row misses", "%", "row changes", "refresh ms", "video ms",
+                    "busy ms");
     for (const auto& [name, c] : stores(l))
         text += fmt::format("{:<14}{:>10}{:>11}{:>11}{:>7.1f}{:>13}{:>12.2f}{:>11.2f}{:>10.2f}\n",
                             name, c->accesses, c->page_hits, c->row_misses, miss_percent(*c),
                             c->row_changes, ms(c->refresh_wait_ns), ms(c->video_wait_ns),
                             ms(c->busy_ns));
-    text += fmt::format("transformation with this memory {:.2f} ms, with a store of one cycle {:.2f} "
-                        "ms; it waits {:.2f} ms to read, {:.2f} for the unit, {:.2f} for the light's "
-                        "store, {:.2f} to write\n",
+    text += fmt::format("transformation with this memory {:.2f} ms, with a store of one cycle "
+                        "{:.2f} ms; it waits {:.2f} ms\nto read, {:.2f} for the unit, {:.2f} for "
+                        "the light's store, {:.2f} to write\n",
                         ms(l.total_ns), ms(l.ideal_ns), ms(l.path.read_ns), ms(l.path.unit_ns),
                         ms(l.path.light_ns), ms(l.path.write_ns));
     return text;

@@ -5,7 +5,6 @@
 // what stands still between two pictures is drawn once. Host times are wall clock, milliseconds.
 #pragma once
 
-#include "shadow/ap120b_cost.hpp"
 #include "shadow/frame.hpp"
 #include "shadow/ledger.hpp"
 #include "shadow/memory_replay.hpp"
@@ -15,7 +14,6 @@
 #include <cstddef>
 #include <memory>
 #include <new>
-#include <optional>
 #include <variant>
 #include <vector>
 

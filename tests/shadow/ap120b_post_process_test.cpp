@@ -4,6 +4,7 @@
 #include "shadow/ap120b_post_process.hpp"
 
 #include "raster/view.hpp"
+#include "shadow/ledger.hpp"
 #include "shadow/profiles.hpp"
 #include "tests/shadow/figure_frame.hpp"
 #include "tests/support/buffers.hpp"
@@ -336,6 +337,25 @@ TEST(ArrayCost, IsTheSumOfItsSteps) {
         for (const ArrayStep& step : c.list()) sum += c.cycles(step);
         EXPECT_EQ(sum, c.cycles());
     }
+}
+
+// The frame's ledger takes it in place of the clocked stages, and nothing else of it changes.
+TEST(ArrayCost, StandsInTheFramesLedger) {
+    const FigureScene f;
+    const Settings s = on_array(figure_settings(6));
+    const auto ledger = [&](const Settings& settings) {
+        const Frame<> frame(f.scene(), settings);
+        return frame_ledger(f.scene(), settings, frame.matrices, frame.buffers, frame.counts);
+    };
+    const FrameLedger array = ledger(s), fixed = ledger(figure_settings(6));
+    EXPECT_TRUE(array.on_array && !fixed.on_array);
+    EXPECT_EQ(array.transformation(true), 106772u * 273);
+    EXPECT_EQ(array.transformation(false), array.transformation(true));
+    EXPECT_EQ(array.bottleneck(), "interpolate");
+    EXPECT_EQ(array.post_process.total, 0u);
+    EXPECT_EQ(array.light.units.side_by_side(), fixed.light.units.side_by_side());
+    EXPECT_EQ(array.total(true) - array.transformation(true) - array.filters(true),
+              fixed.total(true) - fixed.transformation(true) - fixed.filters(true));
 }
 
 TEST(ArrayCost, HoldsEveryStepAtOnce) {
