@@ -4,10 +4,11 @@
 //   saved by o  = cost(the omissions before o) - cost(those and o),   in the order of the enum
 //
 // so that the savings add up to cost(Plan{}) - cost(plan). The closed forms are the units' own
-// (hw::transform_cycles, hw::serial_divide_cycles) without the time to fill a pipeline. Each plane a
-// stage reads or writes is counted once, a cycle a word. These are cycles that units are busy:
+// (hw::transform_cycles, hw::serial_divide_cycles) without the time to fill a pipeline. Each plane
+// a stage reads or writes is counted once, a cycle a word. These are cycles that units are busy:
 // where stages overlap, a frame gets shorter only by what its busiest unit is spared.
-// Not counted: subdivision, the division of a perspective view's corners, shading.
+// Not counted: subdivision, the division of a perspective view's corners, shading, the filters'
+// additions; the ledger of a whole frame (shadow/ledger.hpp) has them as operations.
 #pragma once
 
 #include "shadow/frame.hpp"
