@@ -119,6 +119,34 @@ TEST(PixelTrace, WorkedPixelsOfFigure4) {
     }
 }
 
+// When each part of the machine has its words: hw/README.md's journey, from when the pixel leaves
+// the reader.
+TEST(PixelTrace, PartsFollowEachOtherCycleByCycle) {
+    const LoadedScene scene = figures_scene();
+    RenderJob job(scene.view(), shadow::figure_settings(3));
+    job.render();
+    const PixelTrace t = trace_pixel(job, {80, 180});
+    const struct {
+        const char *part, *word;
+        std::uint64_t cycle;
+    } expected[] = {
+        {"words", "x", 0},       {"multiply", "c_X0 x", 1},   {"multiply", "c_Y1 y", 2},
+        {"sum", "sum_X", 2},     {"accumulate", "acc_X", 3},  {"multiply", "c_Z2 z", 3},
+        {"sum", "sum_Z", 4},     {"accumulate", "acc_Z", 5},  {"round", "R_X", 4},
+        {"round", "R_Z", 6},     {"place", "tx", 7},          {"fetch", "z(367,180)", 8},
+        {"compare", "shadow", 9}, {"write", "mask", 10},
+    };
+    for (const auto& [part, word, cycle] : expected) {
+        int found = 0;
+        for (const TraceLine& line : t.lines) {
+            if (line.part != part || line.name != word) continue;
+            EXPECT_EQ(line.cycle, 169708 + cycle) << part << " " << word;
+            ++found;
+        }
+        EXPECT_EQ(found, 1) << part << " " << word;
+    }
+}
+
 // --- any pixel -----------------------------------------------------------------------------------
 
 // Cycles of a point never go back, its mask word comes L cycles after it left the reader, and each
