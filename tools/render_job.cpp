@@ -99,11 +99,11 @@ shadow::FrameLedger RenderJob::ledger() const {
 }
 
 shadow::MemoryLedger RenderJob::replay_memory() const {
-    const hw::MatrixWords& matrix = matrices_.observer_to_light;
-    const shadow::PostProcessPlan plan(settings_, matrix);
+    const hw::MatrixWords& matrix = inputs_.matrices.observer_to_light;
+    const shadow::PostProcessPlan plan(settings(), matrix);
     return std::visit(
         [&](const auto& frame) {
-            return shadow::replay_memory(frame.observer, matrix, settings_,
+            return shadow::replay_memory(frame.observer, matrix, settings(),
                                          static_cast<std::uint64_t>(plan.slot_cycles));
         },
         frame_);

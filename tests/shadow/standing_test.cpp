@@ -75,7 +75,7 @@ const Expected post_process_form{
     {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"}, {"background", "LDO"},
     {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"}, {"dither_size", "LDO"},
     {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
-    {"density", "LDOM"}, {"form", "L"}};
+    {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
 const Expected correct_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
     {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""},
@@ -91,6 +91,7 @@ void change_each_setting(const PlannedScene& base, const Expected& expected) {
         PlannedScene changed = base;
         setting.set(changed.settings, another(setting, base.settings));
         ASSERT_NE(setting.get(changed.settings), setting.get(base.settings));
+        if (!closes(changed.settings)) continue;  // the AP-120B has no correct form
         const auto found = expected.find(setting.key);
         const std::string keeps = found == expected.end() ? "LDOMP" : found->second;
         const hw::MachineSpec &m = changed.settings.machine, &n = base.settings.machine;
