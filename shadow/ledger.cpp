@@ -38,10 +38,8 @@ PhaseLedger drawing(const Scene& scene, const Settings& s, const FrameMatrices& 
     const raster::DrawSetup setup{s.machine, matrix, matrices.object, s.sampling,
                                   scene.materials, {}};
     counts = raster::draw(scene.patches, {}, setup, memory, sink);
-    std::int32_t shininess = 0;
-    for (const raster::Material& m : scene.materials) shininess = std::max(shininess, m.shininess);
     return phase(raster::drawing_operations(counts, s.machine, matrix.affine, s.sampling, shades,
-                                            shininess),
+                                            most_shininess(scene)),
                  s);
 }
 

@@ -48,6 +48,14 @@ PostProcessLedger closed_form(const Schedule&, const PostProcessPlan&);
 template <class Depth>
 PostProcessLedger ledger_of(const ClockedPostProcess<Depth>& machine);
 
+// The greatest exponent of a highlight in the scene, which the shading of samples is costed with.
+inline std::int32_t most_shininess(const Scene& scene) {
+    std::int32_t most = 0;
+    for (const raster::Material& m : scene.materials)
+        most = m.shininess > most ? m.shininess : most;
+    return most;
+}
+
 // A phase drawn or filtered in operations.
 struct PhaseLedger {
     hw::Operations operations;

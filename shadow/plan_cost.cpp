@@ -1,6 +1,7 @@
 #include "shadow/plan_cost.hpp"
 
 #include "hw/divider.hpp"
+#include "raster/drawing_cost.hpp"
 
 #include <algorithm>
 
@@ -8,7 +9,7 @@ namespace umbra78::shadow {
 namespace {
 
 constexpr std::uint64_t control_points = 16;
-constexpr std::uint64_t planes_of_a_filter = 3;  // the mask, Z or intensity, and what is written
+constexpr std::uint64_t planes_of_a_copy = 2;  // a filter of no passes still reads and writes
 
 std::uint64_t word(int v) { return static_cast<std::uint64_t>(v); }
 
@@ -24,9 +25,19 @@ UnitCycles points(std::uint64_t count, const Settings& s, bool affine, bool divi
     return c;
 }
 
-UnitCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix, const Plan& plan) {
-    return points(control_points * drawn.inputs.scene.patches.size(), drawn.inputs.settings,
-                  matrix.affine, matrix.affine && plan.unit_work().divide, plan);
+// Control points through the unit, and the operations of all that follows.
+UnitCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix,
+                raster::DrawCounts counts, bool shades, const Plan& plan) {
+    const Settings& s = drawn.inputs.settings;
+    UnitCycles c = points(control_points * counts.patches, s, matrix.affine,
+                          matrix.affine && plan.unit_work().divide, plan);
+    hw::Operations o = raster::drawing_operations(counts, s.machine, matrix.affine, s.sampling,
+                                                  shades, most_shininess(drawn.inputs.scene));
+    const raster::DrawCounts points_alone{.patches = counts.patches};
+    o.passes -= raster::drawing_operations(points_alone, s.machine, matrix.affine, s.sampling,
+                                           false, 0).passes;
+    c.operations = hw::unit_cycles(o, s.machine).one_after_the_other();
+    return c;
 }
 
 UnitCycles post_process(const DrawnFrame& drawn, const Plan& plan) {
@@ -34,9 +45,9 @@ UnitCycles post_process(const DrawnFrame& drawn, const Plan& plan) {
     const bool affine = drawn.inputs.matrices.observer_to_light.affine;
     const std::uint64_t pixels = std::uint64_t{1} << (2 * s.machine.xy_bits);
     const bool correct = s.form == Form::correct;
-    const std::uint64_t tested = correct ? drawn.counts.observer.samples
-                                 : plan.leaves_out(Omission::background_pixels) ? drawn.visible
-                                                                                : pixels;
+    const std::uint64_t drawn_pixels =
+        plan.leaves_out(Omission::background_pixels) ? drawn.ledger.visible : pixels;
+    const std::uint64_t tested = correct ? drawn.ledger.observer_counts.samples : drawn_pixels;
     UnitCycles c = points(tested, s, affine, !affine || plan.unit_work().divide, plan);
     if (!plan.leaves_out(Omission::noise)) {
         const int bits = 16 * hw::uniforms(drawn_dither(s).shape);
@@ -62,22 +73,26 @@ StageCycles cycles_of(const Plan& plan, const DrawnFrame& drawn) {
     const auto add = [&](Stage stage, bool left_out, UnitCycles c) {
         if (!left_out) cycles[static_cast<std::size_t>(stage)] = c;
     };
-    const auto add_filter = [&](Stage stage, Omission omission, int passes) {
+    const auto add_filter = [&](Stage stage, Omission omission, int passes,
+                                const PhaseLedger& phase) {
         UnitCycles c;
-        c.store = planes_of_a_filter * pixels * word(std::max(passes, 1));
+        c.operations = passes > 0 ? phase.units.one_after_the_other() : planes_of_a_copy * pixels;
         add(stage, plan.leaves_out(omission) || plan.leaves_out(Omission::same_picture), c);
     };
     add(Stage::light,
         plan.leaves_out(Omission::same_light_map) || plan.leaves_out(Omission::light_map),
-        view(drawn, in.matrices.world_to_light, plan));
+        view(drawn, in.matrices.world_to_light, drawn.ledger.light_counts,
+             !plan.leaves_out(Omission::light_shading), plan));
     add(Stage::observer, plan.leaves_out(Omission::same_observer),
-        view(drawn, in.matrices.world_to_observer, plan));
+        view(drawn, in.matrices.world_to_observer, drawn.ledger.observer_counts, true, plan));
     add(Stage::post_process,
         plan.leaves_out(Omission::same_mask) || plan.leaves_out(Omission::post_process),
         post_process(drawn, plan));
-    add_filter(Stage::dequantize, Omission::dequantize, 1);  // all its passes in one stream
-    add_filter(Stage::low_pass, Omission::low_pass, in.settings.low_pass_passes);
-    add_filter(Stage::composite, Omission::composite, 1);
+    const FrameLedger& l = drawn.ledger;
+    add_filter(Stage::dequantize, Omission::dequantize, in.settings.dequantize_passes,
+               l.dequantize);
+    add_filter(Stage::low_pass, Omission::low_pass, in.settings.low_pass_passes, l.low_pass);
+    add_filter(Stage::composite, Omission::composite, 1, l.composite);
     return cycles;
 }
 
@@ -90,9 +105,8 @@ std::uint64_t total(const StageCycles& cycles) {
 Saving saving(Omission omission, const Plan& plan, const DrawnFrame& drawn) {
     using enum Omission;
     Saving s;
-    s.counted = !is(omission, {light_shading, same_depth});
     // The correct form's points are counted as they are drawn; pixels, but for the visible, before.
-    s.after_drawing = is(omission, {background_pixels, post_process, same_mask}) ||
+    s.after_drawing = is(omission, {light_shading, background_pixels, post_process, same_mask}) ||
                       (drawn.inputs.settings.form == Form::correct &&
                        is(omission, {divide, w_row, constant_product, noise}));
     if (!plan.leaves_out(omission)) return s;

@@ -4,14 +4,13 @@
 //   saved by o  = cost(the omissions before o) - cost(those and o),   in the order of the enum
 //
 // so that the savings add up to cost(Plan{}) - cost(plan). The closed forms are the units' own
-// (hw::transform_cycles, hw::serial_divide_cycles) without the time to fill a pipeline. Each plane
-// a stage reads or writes is counted once, a cycle a word. These are cycles that units are busy:
-// where stages overlap, a frame gets shorter only by what its busiest unit is spared.
-// Not counted: subdivision, the division of a perspective view's corners, shading, the filters'
-// additions; the ledger of a whole frame (shadow/ledger.hpp) has them as operations.
+// (hw::transform_cycles, hw::serial_divide_cycles) without the time to fill a pipeline; drawing and
+// filters are the ledger's operations (shadow/ledger.hpp), each unit's cycles after the other's.
+// These are cycles that units are busy: where they work side by side, a frame gets shorter only by
+// what its busiest unit is spared. The fixed-point machine's, whatever settings.arithmetic says.
 #pragma once
 
-#include "shadow/frame.hpp"
+#include "shadow/ledger.hpp"
 
 #include <array>
 #include <cstdint>
@@ -23,16 +22,16 @@ inline constexpr std::size_t stage_count = 6;
 
 struct UnitCycles {
     std::uint64_t transform = 0, divide = 0, noise = 0, store = 0;
-    std::uint64_t total() const { return transform + divide + noise + store; }
+    std::uint64_t operations = 0;  // of drawing and filters, on whatever unit
+    std::uint64_t total() const { return transform + divide + noise + store + operations; }
 };
 
 using StageCycles = std::array<UnitCycles, stage_count>;
 
-// What a frame turned out to be; `visible`: pixels where the observer's view was drawn.
+// What a frame turned out to be.
 struct DrawnFrame {
     const FrameInputs& inputs;
-    const FrameCounts& counts;
-    std::uint64_t visible;
+    const FrameLedger& ledger;
 };
 
 StageCycles cycles_of(const Plan& plan, const DrawnFrame& drawn);
@@ -41,7 +40,6 @@ std::uint64_t total(const StageCycles& cycles);
 struct Saving {
     std::uint64_t cycles = 0;
     bool after_drawing = false;  // the count is not known before
-    bool counted = true;         // false: what is saved has no cycle count
 };
 Saving saving(Omission omission, const Plan& plan, const DrawnFrame& drawn);
 

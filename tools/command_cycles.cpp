@@ -7,6 +7,8 @@
 #include "tools/report.hpp"
 #include "tools/scene_file.hpp"
 #include "tools/settings_text.hpp"
+#include "tools/vcd.hpp"
+#include "tools/waterfall.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,7 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-    std::string scene, profile;
+    std::string scene, profile, vcd;
     std::vector<std::string> set;
     bool all = false, json = false;
 };
@@ -32,8 +34,8 @@ void print_claim(const CostClaim& claim) {
                claim.both_views, claim.transformation, claim.depth_complexity);
 }
 
-// The replay is of the fixed-point machine's post-process.
-bool has_memory(const LoadedScene& scene) {
+// The replay, the waterfall and the dump are of the fixed-point machine's post-process.
+bool is_clocked(const LoadedScene& scene) {
     return scene.settings.arithmetic == shadow::Arithmetic::fixed &&
            scene.settings.form == shadow::Form::post_process;
 }
@@ -41,11 +43,12 @@ bool has_memory(const LoadedScene& scene) {
 void one_profile(const Options& options, const LoadedScene& scene) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
+    if (!options.vcd.empty()) write_vcd(options.vcd, job);
     const shadow::FrameLedger ledger = job.ledger();
     const int clock_ns = scene.settings.timing.clock_ns;
     if (options.json) {
         ordered_json json{{"scene", options.scene}, {"ledger", to_json(ledger, clock_ns)}};
-        if (has_memory(scene)) json["memory"] = to_json(job.replay_memory());
+        if (is_clocked(scene)) json["memory"] = to_json(job.replay_memory());
         json["settings"] = settings_json(scene.settings);
         fmt::print("{}", print(json));
         return;
@@ -54,7 +57,8 @@ void one_profile(const Options& options, const LoadedScene& scene) {
                print_frame(ledger, clock_ns),
                ledger.on_array ? print(ledger.array, clock_ns)
                                : print_post_process(ledger.post_process, clock_ns));
-    if (has_memory(scene)) fmt::print("{}\n", print_memory(job.replay_memory()));
+    if (is_clocked(scene))
+        fmt::print("{}\n{}\n", waterfall(job), print_memory(job.replay_memory()));
     print_claim(cost_claim(ledger));
 }
 
@@ -82,7 +86,11 @@ void all_figures(const Options& options) {
 }
 
 void run(const Options& options) {
-    if (options.scene.empty()) return all_figures(options);
+    if (options.scene.empty()) {
+        if (!options.profile.empty() || !options.vcd.empty() || !options.set.empty())
+            throw SceneError("--profile, --vcd and --set are for a scene; give its file, too");
+        return all_figures(options);
+    }
     std::vector<std::string> set = options.set;
     if (!options.profile.empty()) set.insert(set.begin(), "profile=" + options.profile);
     const LoadedScene scene = load_scene(options.scene, set);
@@ -102,10 +110,17 @@ void add_cycles_command(CLI::App& app, int&) {
     CLI::Option* profile =
         command->add_option("--profile", options->profile, "A machine: see umbra78 settings")
             ->type_name("PROFILE");
-    command->add_flag("--all", options->all, "A row for each profile")->excludes(profile);
+    CLI::Option* all = command->add_flag("--all", options->all, "A row for each profile");
+    all->excludes(profile);
     command->add_option("--set", options->set, "key=value, as for umbra78 render")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    command
+        ->add_option("--vcd", options->vcd,
+                     "Write the machine's first cycles as a value change dump, for a waveform "
+                     "viewer such as GTKWave")
+        ->type_name("FILE")
+        ->excludes(all);
     command->add_flag("--json", options->json, "Print JSON instead of text");
     command->footer("Example:\n  umbra78 cycles tools/scenes/figures.toml --profile affine16x1");
     command->callback([options] { run(*options); });

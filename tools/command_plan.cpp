@@ -27,16 +27,17 @@ struct Options {
 struct Planned {
     LoadedScene scene;
     RenderJob job;
-    std::uint64_t visible;
+    shadow::FrameLedger ledger;
 
     explicit Planned(const Options& options)
         : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
+        if (scene.settings.arithmetic == shadow::Arithmetic::ap120b)
+            throw SceneError("a plan is the fixed-point machine's; give --set arithmetic=fixed");
         job.render();
-        const std::vector<std::uint8_t> seen = job.visible();
-        visible = static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), 1));
+        ledger = job.ledger();
     }
     const shadow::Plan& plan() const { return job.plan(); }
-    shadow::DrawnFrame drawn() const { return {job.inputs(), job.counts(), visible}; }
+    shadow::DrawnFrame drawn() const { return {job.inputs(), ledger}; }
     shadow::Saving saving(Omission o) const { return shadow::saving(o, plan(), drawn()); }
     shadow::StageCycles cycles() const { return cycles_of(plan(), drawn()); }
     std::uint64_t everything() const { return total(cycles_of(shadow::Plan{}, drawn())); }
@@ -57,7 +58,7 @@ ordered_json to_json(const Options& options, const Planned& planned) {
                       {"patches", planned.scene.patches.size()},
                       {"patches_outside_light", outside.light},
                       {"patches_outside_observer", outside.observer},
-                      {"visible_pixels", planned.visible}};
+                      {"visible_pixels", planned.ledger.visible}};
     const shadow::StageCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k)
         json["stages"].push_back({{"stage", key_of(static_cast<Stage>(k))},
@@ -65,7 +66,8 @@ ordered_json to_json(const Options& options, const Planned& planned) {
                                   {"transform", cycles[k].transform},
                                   {"divide", cycles[k].divide},
                                   {"noise", cycles[k].noise},
-                                  {"store", cycles[k].store}});
+                                  {"store", cycles[k].store},
+                                  {"operations", cycles[k].operations}});
     for (std::size_t k = 0; k < shadow::omission_count; ++k) {
         const auto o = static_cast<Omission>(k);
         const shadow::Saving s = planned.saving(o);
@@ -73,7 +75,7 @@ ordered_json to_json(const Options& options, const Planned& planned) {
         row["omission"] = key_of(o);
         row["left_out"] = planned.plan().leaves_out(o);
         row["why"] = explain(planned.plan().at(o).reason);
-        row["saved_cycles"] = s.counted ? ordered_json(s.cycles) : ordered_json();
+        row["saved_cycles"] = s.cycles;
         row["after_drawing"] = s.after_drawing;
     }
     json["cycles"] = total(cycles);
@@ -85,15 +87,16 @@ ordered_json to_json(const Options& options, const Planned& planned) {
 }
 
 void print_stages(const Planned& planned) {
-    fmt::print("{:<20}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "cycles of", "transform", "divide",
-               "noise", "store", "in all");
+    fmt::print("{:<20}{:>12}{:>12}{:>12}{:>12}{:>14}{:>14}\n", "cycles of", "transform", "divide",
+               "noise", "store", "operations", "in all");
     const shadow::StageCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k) {
         const shadow::UnitCycles& c = cycles[k];
         fmt::print("{:<20}", name_of(static_cast<Stage>(k)));
         for (const std::uint64_t n : {c.transform, c.divide, c.noise, c.store})
             fmt::print("{:>12}", n == 0 ? "-" : grouped(n));
-        fmt::print("{:>12}\n", c.total() == 0 ? "left out" : grouped(c.total()));
+        fmt::print("{:>14}", c.operations == 0 ? "-" : grouped(c.operations));
+        fmt::print("{:>14}\n", c.total() == 0 ? "left out" : grouped(c.total()));
     }
 }
 
@@ -102,15 +105,15 @@ void print_rows(const Options& options, const Planned& planned) {
     const shadow::OutsidePatches& outside = planned.plan().outside;
     fmt::print("{}: {} x {} pixels, {} of them visible; {} patches, {} outside the light's view, "
                "{} outside the observer's\n\n",
-               options.scene, size, size, grouped(planned.visible), planned.scene.patches.size(),
-               outside.light, outside.observer);
+               options.scene, size, size, grouped(planned.ledger.visible),
+               planned.scene.patches.size(), outside.light, outside.observer);
     print_stages(planned);
     fmt::print("\n{:<30}{:>12}   {}\n", "left out", "cycles", "because");
     bool starred = false;
     for_omissions(planned, true, [&](Omission o, const shadow::Decision& d) {
         const shadow::Saving s = planned.saving(o);
         starred |= s.after_drawing;
-        fmt::print("{:<30}{:>12}{}  {}\n", name_of(o), s.counted ? grouped(s.cycles) : "-",
+        fmt::print("{:<30}{:>12}{}  {}\n", name_of(o), grouped(s.cycles),
                    s.after_drawing ? "*" : " ", explain(d.reason));
     });
     fmt::print("\n{:<45}{}\n", "needed", "because");
@@ -123,7 +126,7 @@ void print_rows(const Options& options, const Planned& planned) {
                "{:.1f} ms instead of {:.1f}.\n",
                grouped(left), grouped(everything), ns, simulated_ms(left, ns),
                simulated_ms(everything, ns));
-    if (starred) fmt::print("*: the count is known after drawing. -: no cycle count yet.\n");
+    if (starred) fmt::print("*: the count is known after drawing.\n");
 }
 
 void run(const Options& options) {

@@ -31,6 +31,9 @@ WatchedFrame::WatchedFrame(const RenderJob& job)
     if (settings_.form == shadow::Form::correct)
         throw SceneError("the correct form has no post-process to watch; give --set "
                          "form=post_process");
+    if (settings_.arithmetic == shadow::Arithmetic::ap120b)
+        throw SceneError("only the fixed-point machine can be watched; give --set "
+                         "arithmetic=fixed");
     const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
     std::copy(drawn.begin(), drawn.end(), intensity_.begin());
 }

@@ -33,7 +33,7 @@ TEST_F(Program, PlanSaysWhatIsLeftOutAndWhy) {
     EXPECT_EQ(report["patches_outside_light"], 0);
     std::uint64_t saved = 0, cycles = 0;
     for (const json& row : report["omissions"])
-        if (!row["saved_cycles"].is_null()) saved += row["saved_cycles"].get<std::uint64_t>();
+        saved += row["saved_cycles"].get<std::uint64_t>();
     for (const json& stage : report["stages"]) cycles += stage["cycles"].get<std::uint64_t>();
     EXPECT_EQ(report["saved_cycles"], saved);
     EXPECT_EQ(report["cycles"], cycles);
@@ -44,7 +44,8 @@ TEST_F(Program, PlanSaysWhatIsLeftOutAndWhy) {
     EXPECT_EQ(omission(report, "low_pass")["why"], "it is set to 0 passes");
     EXPECT_FALSE(omission(report, "dequantize")["left_out"]);
     EXPECT_EQ(omission(report, "background_pixels")["after_drawing"], true);
-    EXPECT_TRUE(omission(report, "light_shading")["saved_cycles"].is_null());
+    EXPECT_GT(omission(report, "light_shading")["saved_cycles"], 20'000'000)
+        << "shading is most of a view";
     EXPECT_TRUE(files().empty()) << "a plan leaves no file";
 }
 
