@@ -1,0 +1,136 @@
+// A study: a question put to the machine as a table of cases, run, measured, plotted and told.
+//
+//   scene + grid --cases()--> cases --run(), any order, any core, any machine--> rows
+//     --CSV, one row a case--> plots, pictures, index.html
+//
+// A case is made of nothing but its settings, so a row of the CSV can be run again alone, and a
+// study can be cut into shards, interrupted and resumed. Rows hold the same values on every
+// computer, but for host times, whose columns end in "_host_ms" and can be left out.
+#pragma once
+
+#include "tools/scene_file.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace umbra78::tools::study {
+
+// A value of a row. Numbers print so that they read back as the same number.
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+// Columns in the order they are added; every row of a study has the same.
+class Row {
+public:
+    void set(std::string_view column, Value value);
+    const Value& at(std::string_view column) const;  // throws where there is none
+    double number(std::string_view column) const;    // of an integer or a real; NaN where empty
+    std::string text(std::string_view column) const;
+    std::span<const std::pair<std::string, Value>> cells() const { return cells_; }
+
+private:
+    std::vector<std::pair<std::string, Value>> cells_;
+};
+
+// One point of the grid: key=value overrides of the scene, in the order of the keys, and what
+// else tells the case from others (a unit's name, a named extreme).
+struct Case {
+    std::string name;
+    std::vector<std::string> set;                            // as --set takes them
+    std::vector<std::pair<std::string, std::string>> extra;  // columns of the study's own
+};
+
+// What the user asked for.
+struct Request {
+    std::string scene_file;          // as it was written; "" for the paper's scene
+    LoadedScene scene;               // with the settings of the file
+    // --vary: in the order given; replaces the study's default values of that key.
+    std::vector<std::pair<std::string, std::vector<std::string>>> vary;
+    bool quick = false;              // a small grid for tests: seconds
+    bool automatic = false;          // --auto: print the answer for the scene
+    bool host_times = true;
+};
+
+// A picture or plot and the paragraph that says what is seen in it.
+struct Exhibit {
+    std::string file;     // in the study's folder: .svg and .png for plots, .png for pictures
+    std::string caption;  // one paragraph
+};
+
+// Where a report writes: everything goes through a FileSet, all files or none.
+class Report;
+
+class Study {
+public:
+    virtual ~Study() = default;
+    virtual std::string_view name() const = 0;
+    virtual std::string_view meaning() const = 0;  // one line for --help
+    // The keys the study varies by itself, with their values, full and quick.
+    virtual std::vector<Case> cases(const Request&) const = 0;
+    // Called from several threads at once. Errors of a case are part of its row (column "status").
+    virtual Row run(const Request&, const Case&) const = 0;
+    // Plots, pictures and paragraphs from all rows; and the answers, for the JSON summary.
+    virtual void report(const Request&, std::span<const Row>, Report&) const = 0;
+};
+
+// All studies, in the order of the documentation. Each is made by its own file.
+std::span<const std::unique_ptr<Study>> studies();
+std::unique_ptr<Study> make_error_time_study();
+std::unique_ptr<Study> make_bias_study();
+std::unique_ptr<Study> make_widths_study();
+std::unique_ptr<Study> make_moire_study();
+std::unique_ptr<Study> make_precision_study();
+std::unique_ptr<Study> make_stability_study();
+
+// The grid of all combinations, the first key slowest; --vary's values in place of the defaults,
+// and its other keys after them.
+using Axis = std::pair<std::string, std::vector<std::string>>;
+std::vector<Case> grid(const Request&, std::vector<Axis> defaults);
+
+// The scene with a case's overrides. Throws SceneError.
+LoadedScene scene_of(const Request&, const Case&);
+
+// --- reports ---------------------------------------------------------------------------------
+
+struct Series {
+    std::string title;
+    std::vector<std::pair<double, double>> points;
+    bool line = true;      // else points
+    std::vector<std::string> labels;  // beside the points, where there are any
+};
+struct Plot {
+    std::string name;      // file name without its ending
+    std::string title, x_label, y_label;  // labels with units
+    bool log_x = false, log_y = false;
+    std::vector<Series> series;
+};
+struct HeatMap {
+    std::string name, title, x_label, y_label, value_label;
+    std::vector<std::string> x_ticks, y_ticks;
+    std::vector<double> values;  // row by row, y slowest; NaN is a hole
+};
+
+class Report {
+public:
+    virtual ~Report() = default;
+    virtual void paragraph(std::string_view text) = 0;
+    virtual void plot(const Plot&, std::string_view caption) = 0;      // SVG and PNG by gnuplot
+    virtual void heat_map(const HeatMap&, std::string_view caption) = 0;
+    // Gray, width * height values.
+    virtual void picture(std::string_view name, int width, int height,
+                         std::span<const std::uint8_t> gray, std::string_view caption) = 0;
+    virtual void table(const std::vector<std::vector<std::string>>& rows,
+                       std::string_view caption) = 0;  // the first row is the head
+    virtual nlohmann::ordered_json& summary() = 0;     // answers, for NAME.json
+};
+
+}  // namespace umbra78::tools::study
