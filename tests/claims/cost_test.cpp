@@ -1,6 +1,7 @@
 // The post-process's cost depends on what is seen, not on what is drawn: ten times as many patches
 // change neither its points nor its cycles, while drawing them grows.
 #include "shadow/ledger.hpp"
+#include "shadow/profiles.hpp"
 #include "tests/claims/ground.hpp"
 
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@ using raster::Patch;
 using raster::World;
 using shadow::figure_settings;
 using shadow::PostProcessLedger;
+using shadow::Settings;
 
 using Patches = std::vector<Patch>;
 
@@ -164,6 +166,34 @@ TEST(Cost, OfOneSphereIsLess) {
     const Cost a = draw("figures", once()), b = draw("one sphere", one);
     EXPECT_LT(3 * work(b, "multiply"), work(a, "multiply"));
     EXPECT_LT(3 * b.counts.post_process.visible, a.counts.post_process.visible);
+}
+
+// The paper, p. 273: a shadow costs about twice the plain rendering, less the shading of the light's
+// view, plus a fixed transformation. On every profile of the fixed-point machine the two views take
+// more than one and less than two of the observer's, and the transformation is small.
+TEST(Cost, RoughlyTwicePlusAFixedTransformation) {
+    for (const char* name : {"affine16x1", "affine16", "affine16x16"}) {
+        Settings s = figure_settings(4);
+        shadow::apply(*shadow::find_profile(name), s);
+        const shadow::test::Frame<> frame(figures().scene(), s);
+        ASSERT_EQ(frame.status, shadow::FrameStatus::ok);
+        const shadow::FrameLedger l = frame_ledger(figures().scene(), s, frame.matrices,
+                                                   frame.buffers, frame.counts);
+        const auto of = [&](std::uint64_t cycles) {
+            return static_cast<double>(cycles) /
+                   static_cast<double>(shadow::FrameLedger::cycles(l.observer, true));
+        };
+        const double both = 1 + of(shadow::FrameLedger::cycles(l.light, true));
+        const double transformation = of(l.transformation(true));
+        const double depth = static_cast<double>(l.observer_counts.samples) /
+                             static_cast<double>(l.visible);
+        std::printf("%-12s both views %.2f of the observer's, transformation %.3f, %.2f samples a "
+                    "visible pixel\n", name, both, transformation, depth);
+        EXPECT_GT(both, 1.2);
+        EXPECT_LT(both, 2.0) << "the light's view is not shaded";
+        EXPECT_LT(transformation, 0.03);
+        EXPECT_NEAR(depth, 2.67, 0.01);
+    }
 }
 
 }  // namespace

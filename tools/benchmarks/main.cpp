@@ -3,9 +3,11 @@
 // Google Benchmark interleaves the repetitions at random, so that a noisy machine slows all rows
 // alike; what counts is the last column, a stage's median over the affine float baseline's.
 
+#include "shadow/ap120b_post_process.hpp"
 #include "shadow/correct_form.hpp"
 #include "shadow/frame.hpp"
 #include "shadow/ledger.hpp"
+#include "shadow/memory_replay.hpp"
 #include "shadow/paper_figures.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
 
@@ -56,6 +58,13 @@ struct Bench {
     }
     shadow::FrameInputs inputs(const shadow::Settings& settings) const {
         return {scene, settings, matrices};
+    }
+
+    hw::ap120b::Matrix array(shadow::Settings settings) const {
+        settings.arithmetic = shadow::Arithmetic::ap120b;
+        shadow::FrameMatrices words;
+        shadow::load_matrices(scene, settings, words);
+        return words.array;
     }
 
     // The same turn about the vertical axis, on pixel coordinates and Z codes of both frames.
@@ -145,6 +154,14 @@ void add_all() {
     });
     for (const int figure : {3, 4})
         add_clocked(fmt::format("post-process, figure {}, clocked", figure), figure);
+    add("memory replay, figure 4", 4, [](Bench& b, const Settings& s) {
+        benchmark::DoNotOptimize(shadow::replay_memory(
+            b.frame.observer, b.matrices.observer_to_light, s, 4));
+    });
+    add("post-process, figure 3, AP-120B", 3, [](Bench& b, const Settings& s) {
+        shadow::array_post_process(b.frame.observer, b.frame.light, b.array(s), true, s,
+                                   b.frame.mask);
+    });
     add("matrices", 6, [](Bench& b, const Settings& s) {
         shadow::load_matrices(b.scene, s, b.matrices);
     });
