@@ -19,6 +19,7 @@ namespace {
 
 using test::OwnedStore;
 using test::Random;
+using test::describe;
 
 template <class Depth, class Rule = hw::ValidReady>
 using Clocked = ClockedPostProcess<Depth, Rule>;
@@ -39,14 +40,6 @@ Settings random_machine(Random& random) {
     t.register_ns = test::pick(random, {0, 20, 40});
     EXPECT_TRUE(closes(s));
     return s;
-}
-
-std::string describe(const Settings& s) {
-    std::string text;
-    for (const Setting& row : settings_table())
-        if (row.get(s) != row.get(Settings{}))
-            text += std::string(row.key) + "=" + std::to_string(row.get(s)) + " ";
-    return text;
 }
 
 // Every cycle of every stage is one of four things, and of the reader one of five.

@@ -24,14 +24,7 @@ using fixed::test::model_round;
 using test::Int128;
 using test::OwnedStore;
 using test::Random;
-
-std::string describe(const Settings& s) {
-    std::string text;
-    for (const Setting& row : settings_table())
-        if (row.get(s) != row.get(Settings{}))
-            text += std::string(row.key) + "=" + std::to_string(row.get(s)) + " ";
-    return text;
-}
+using test::describe;
 
 // Quiet where equal, even where both are constant: the tests count what is in shadow.
 void expect_same(const std::vector<std::uint8_t>& expected, const std::vector<std::uint8_t>& got,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 namespace umbra78::shadow::test {
@@ -66,6 +67,15 @@ inline hw::MatrixWords random_matrix(Random& random, const hw::MachineSpec& spec
     }
     if (affine) m.word[3] = {};
     return m;
+}
+
+// The settings that are not the defaults, for a failure's message.
+inline std::string describe(const Settings& s) {
+    std::string text;
+    for (const Setting& row : settings_table())
+        if (row.get(s) != row.get(Settings{}))
+            text += std::string(row.key) + "=" + std::to_string(row.get(s)) + " ";
+    return text;
 }
 
 // Settings of what the post-process reads; `rows` keeps to what the row form covers.
