@@ -15,7 +15,28 @@ PostProcessPlan::PostProcessPlan(const Settings& s, const hw::MatrixWords& matri
               interpolate + 3;  // place, compare, write
 }
 
-// A chunk that is all background, or all visible, is one step.
+namespace {
+
+// A chunk of the scan: how many pixels are visible, and how often that changes from one to the
+// next. In 16-bit words, which the compiler has lanes for.
+struct Chunk {
+    std::uint16_t visible = 0, changes = 0;
+};
+template <class Depth>
+Chunk look(std::span<const Depth> piece, Depth none) {
+    Chunk c;
+    for (const Depth code : piece)
+        c.visible = static_cast<std::uint16_t>(c.visible + (code != none));
+    if (c.visible == 0 || c.visible == piece.size()) return c;
+    for (std::size_t k = 1; k < piece.size(); ++k)
+        c.changes = static_cast<std::uint16_t>(
+            c.changes + ((piece[k] != none) != (piece[k - 1] != none)));
+    return c;
+}
+
+}  // namespace
+
+// A chunk of one run, or of two, is a step or two; else it is a step a pixel.
 template <class Depth>
 Schedule schedule(std::span<const Depth> depth, std::uint32_t background, int read_cycles,
                   int slot_cycles) {
@@ -25,25 +46,26 @@ Schedule schedule(std::span<const Depth> depth, std::uint32_t background, int re
     const std::uint64_t slot = std::max(static_cast<std::uint64_t>(slot_cycles), p);
     const auto none = static_cast<Depth>(background);
     std::uint64_t gap = 0;  // background pixels behind the one let go last
-    const auto let_go = [&] {
+    const auto let_go = [&](std::uint64_t run) {
+        if (run == 0) return;
         const std::uint64_t reading = p * (gap + 1);
         s.last_issue += s.visible == 0 ? reading - 1 : std::max(slot, reading);
-        ++s.visible;
+        s.last_issue += slot * (run - 1);
+        s.visible += run;
         gap = 0;
     };
-    constexpr std::size_t chunk = 32;
-    for (std::size_t k = 0; k < depth.size(); k += chunk) {
-        const std::span piece = depth.subspan(k, std::min(chunk, depth.size() - k));
-        std::uint32_t visible = 0;
-        for (const Depth code : piece) visible += code != none;
-        if (visible == 0) {
-            gap += piece.size();
-        } else if (visible == piece.size()) {
-            let_go();
-            s.last_issue += slot * (visible - 1);
-            s.visible += visible - 1;
+    constexpr std::size_t size = 64;
+    for (std::size_t k = 0; k < depth.size(); k += size) {
+        const std::span piece = depth.subspan(k, std::min(size, depth.size() - k));
+        const Chunk c = look<Depth>(piece, none);
+        if (c.changes > 1) {
+            for (const Depth code : piece) code != none ? let_go(1) : void(++gap);
+        } else if (piece[0] != none) {
+            let_go(c.visible);
+            gap += piece.size() - c.visible;
         } else {
-            for (const Depth code : piece) code != none ? let_go() : void(++gap);
+            gap += piece.size() - c.visible;
+            let_go(c.visible);
         }
     }
     s.trailing = p * gap;
