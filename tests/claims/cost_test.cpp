@@ -169,8 +169,8 @@ TEST(Cost, OfOneSphereIsLess) {
 }
 
 // The paper, p. 273: a shadow costs about twice the plain rendering, less the shading of the
-// light's view, plus a fixed transformation. On every profile of the fixed-point machine the two views take
-// more than one and less than two of the observer's, and the transformation is small.
+// light's view, plus a fixed transformation. On every profile of the fixed-point machine the two
+// views take more than one and less than two of the observer's, and the transformation is small.
 TEST(Cost, RoughlyTwicePlusAFixedTransformation) {
     for (const char* name : {"affine16x1", "affine16", "affine16x16"}) {
         Settings s = figure_settings(4);
