@@ -32,8 +32,11 @@ Groups grouped(const Rows& rows, std::initializer_list<const char*> by) {
         for (const char* key : by) name += (name.empty() ? "" : ", ") + row.text(key);
         const auto found = std::find_if(groups.begin(), groups.end(),
                                         [&](const auto& g) { return g.first == name; });
-        if (found != groups.end()) found->second.push_back(row);
-        else groups.push_back({name, {row}});
+        if (found != groups.end()) {
+            found->second.push_back(row);
+        } else {
+            groups.push_back({name, {row}});
+        }
     }
     return groups;
 }
@@ -91,7 +94,8 @@ std::int64_t most_beyond(const Rows& rates, const Row& search) {
 void table_least(const Rows& searches, const Rows& rates, Report& report) {
     std::vector<std::vector<std::string>> table{
         {"sampling", "lookup", "dither", "X/Y bits", "Z bits", "least, quanta", "texels", "world",
-         "least outside the band, quanta", "texels", "world", "bound there", "beyond it", "false light", "gap, quanta",
+         "least outside the band, quanta", "texels", "world", "bound there", "beyond it",
+         "false light", "gap, quanta",
          "gap, texels", "gap, world"}};
     for (const Row& row : searches) {
         std::vector<std::string> line;

@@ -92,7 +92,7 @@ Row WidthsStudy::run(const Request& request, const Case& c) const {
     draw_mask(job);
     const auto visible = job.visible();
     const ShadowReport errors =
-        report(traced->truth, {job.bytes(Plane::mask), visible}, traced->band);
+        tools::report(traced->truth, {job.bytes(Plane::mask), visible}, traced->band);
     const shadow::FrameLedger ledger = job.ledger();
     const hw::MachineSpec& machine = scene.settings.machine;
     const auto whole = [](auto n) { return static_cast<std::int64_t>(n); };

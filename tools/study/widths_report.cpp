@@ -43,7 +43,7 @@ Series curve(std::string title, const Rows& rows, const char* x, const char* y, 
 
 void plot_width(std::span<const Row> rows, const char* key, const char* unit, Report& report) {
     Plot plot;
-    plot.name = fmt::format("errors-{}{}", key, std::string_view(unit) == "texels" ? "-texels" : "");
+    plot.name = fmt::format("errors-{}-{}", key, unit);
     plot.title = fmt::format("Errors over {}, bias kept in {}", key, unit);
     plot.x_label = fmt::format("{} (bits)", key);
     plot.y_label = "rate (%)";
@@ -161,8 +161,9 @@ void tell_square_law(std::span<const Row> rows, Report& report) {
         const Rows some =
             where(rows, {{"varies", "xy_bits"}, {"lookup", lookup}, {"bias_unit", "texels"}});
         if (some.empty()) continue;
-        const auto has_times = std::any_of(some[0].cells().begin(), some[0].cells().end(),
-                                           [](const auto& c) { return c.first == "frame_host_ms"; });
+        const auto cells = some[0].cells();
+        const bool has_times = std::any_of(
+            cells.begin(), cells.end(), [](const auto& c) { return c.first == "frame_host_ms"; });
         for (const Row& row : some)
             table.push_back({lookup, row.text("xy_bits"), rate(row, "false_shadow"),
                              rate(row, "false_light"), row.text("light_map_bytes"),
