@@ -5,7 +5,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 core_packages="g++ cmake make libgtest-dev"
 program_packages="g++ cmake make libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-libstb-dev"
+libstb-dev libkissfft-dev"
 
 installed() { [ "$(dpkg-query -W -f '${Status}' "$1" 2>/dev/null)" = "install ok installed" ]; }
 

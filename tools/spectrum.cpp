@@ -1,5 +1,7 @@
 #include "tools/spectrum.hpp"
 
+#include <kissfft/kissfft.hh>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -17,45 +19,40 @@ void expect_image(std::size_t length, int size, const char* name) {
         throw std::invalid_argument(std::string(name) + " is not size * size values long");
 }
 
-bool not_zero_frequency(int k, int n) { return std::min(k, n - k) > 1; }
-
 // Calls visit(power) for the bins the measures use.
 template <class Visit>
 void for_bins(std::span<const double> power, int n, Visit visit) {
     for (int v = 0; v < n; ++v)
         for (int u = 0; u < n; ++u)
-            if (not_zero_frequency(u, n) || not_zero_frequency(v, n)) visit(power[v * n + u]);
+            if (measured_bin(u, v, n)) visit(power[v * n + u]);
 }
 
 }  // namespace
 
 // Rows, then columns; a real window's bin (-u, -v) equals its bin (u, v).
-std::vector<double> periodogram(std::span<const double> window, int n) {
+std::vector<double> periodogram(std::span<const double> window, int n, Taper taper) {
     expect_image(window.size(), n, "the window");
-    std::vector<std::complex<double>> turn(n), rows(static_cast<std::size_t>(n) * n);
-    std::vector<double> hann(n), power(rows.size());
-    for (int i = 0; i < n; ++i) {
-        turn[i] = std::polar(1.0, -2 * pi * i / n);
-        hann[i] = 0.5 - 0.5 * std::cos(2 * pi * (i + 0.5) / n);
-    }
+    if (n == 0) return {};
+    using Line = std::vector<std::complex<double>>;
+    const kissfft<double> transform(static_cast<std::size_t>(n), false);
+    const int half = n / 2;
     double mean = 0;
     for (const double value : window) mean += value / static_cast<double>(window.size());
+    std::vector<double> weight(n, 1.0), power(window.size());
+    if (taper == Taper::hann)
+        for (int i = 0; i < n; ++i) weight[i] = 0.5 - 0.5 * std::cos(2 * pi * (i + 0.5) / n);
 
-    const int half = n / 2;
-    const auto advance = [n](int phase, int step) {
-        return phase + step < n ? phase + step : phase + step - n;
-    };
-    for (int y = 0; y < n; ++y)
-        for (int u = 0; u <= half; ++u)
-            for (int x = 0, phase = 0; x < n; ++x, phase = advance(phase, u))
-                rows[y * n + u] += (window[y * n + x] - mean) * hann[x] * hann[y] * turn[phase];
-    for (int u = 0; u <= half; ++u)
-        for (int v = 0; v < n; ++v) {
-            std::complex<double> sum = 0;
-            for (int y = 0, phase = 0; y < n; ++y, phase = advance(phase, v))
-                sum += rows[y * n + u] * turn[phase];
-            power[v * n + u] = power[(n - v) % n * n + (n - u) % n] = std::norm(sum);
-        }
+    Line line(n), turned(n), columns(static_cast<std::size_t>(half + 1) * n);
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) line[x] = (window[y * n + x] - mean) * weight[x] * weight[y];
+        transform.transform(line.data(), turned.data());
+        for (int u = 0; u <= half; ++u) columns[u * n + y] = turned[u];
+    }
+    for (int u = 0; u <= half; ++u) {
+        transform.transform(&columns[u * n], turned.data());
+        for (int v = 0; v < n; ++v)
+            power[v * n + u] = power[(n - v) % n * n + (n - u) % n] = std::norm(turned[v]);
+    }
     return power;
 }
 

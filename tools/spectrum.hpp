@@ -4,23 +4,34 @@
 // std::invalid_argument. White noise has a flatness of exp(-0.5772) = 0.5615.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace umbra78::tools {
 
-// The periodogram of an n x n window: mean subtracted, Hann window, |DFT|^2, n * n bins in the
-// DFT's order. The measures below leave out the 3 x 3 bins round zero frequency, into which the
-// window leaks the mean, and count both bins of every conjugate pair.
-std::vector<double> periodogram(std::span<const double> window, int n);
+// What the window is weighted with. Hann keeps a strong line from leaking over the others; with
+// none, the bins of white noise are independent, which Fisher's test needs.
+enum class Taper : std::uint8_t { hann, none };
+
+// The periodogram of an n x n window: mean subtracted, tapered, |DFT|^2, n * n bins in the DFT's
+// order. The transform is KISS FFT's; fast for n with small factors. The measures below leave
+// out the 3 x 3 bins round zero frequency, into which the taper leaks the mean, and count both
+// bins of every conjugate pair.
+std::vector<double> periodogram(std::span<const double> window, int n, Taper = Taper::hann);
+
+// Whether the bin is outside the 3 x 3 round zero frequency.
+inline bool measured_bin(int u, int v, int n) {
+    return std::min(u, n - u) > 1 || std::min(v, n - v) > 1;
+}
 
 // Geometric over arithmetic mean of the bins: exp(-0.5772) = 0.5615 for white noise, near 0 for
 // a pattern that repeats. 0 for a constant window.
 double spectral_flatness(std::span<const double> window, int n);
 
 // Largest bin over the mean of the bins: about ln(n * n) for white noise; for a slanted plane.
-// 0 for a constant window. Takes time n^3: 30 to 45 ms at n = 256.
+// 0 for a constant window.
 double peak_over_mean(std::span<const double> window, int n);
 
 struct LocalFlatness {

@@ -1,0 +1,76 @@
+#include "tools/study/bias_search.hpp"
+
+#include "shadow/bias.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace umbra78::tools::study {
+
+BiasedFrames::BiasedFrames(const LoadedScene& scene, const Traced& traced)
+    : scene_(scene), traced_(traced), job_(scene.view(), scene.settings) {
+    job_.draw_light();
+    job_.draw_observer();
+    visible_ = job_.visible();
+}
+
+double BiasedFrames::bias_quanta() const {
+    std::int64_t q16 = 0;
+    const auto units = shadow::bias_units(scene_.light, settings().machine);
+    if (!bias_in_quanta(settings(), units, q16)) throw SceneError("the bias does not fit");
+    return std::ldexp(static_cast<double>(q16), -16);
+}
+
+MachineMask BiasedFrames::draw(std::optional<double> quanta) {
+    shadow::Settings settings = scene_.settings;
+    if (quanta) {
+        settings.bias_unit = shadow::BiasUnit::quanta;
+        settings.bias_q16 = std::llround(std::ldexp(*quanta, 16));
+    }
+    job_.use(settings);
+    job_.cast_shadows();
+    return {job_.bytes(Plane::mask), visible_};
+}
+
+double BiasedFrames::bound(const Band& leave_out) const {
+    return bias_bound_for(tolerated_false_shadow, traced_.slope, traced_.truth.truth.lit,
+                          leave_out, scene_.settings);
+}
+
+int BiasedFrames::beyond_bound(const MachineMask& mask, double quanta) const {
+    const auto error = error_image(traced_.truth.truth, mask, traced_.band);
+    int beyond = 0;
+    for (std::size_t at = 0; at < error.size(); ++at)
+        beyond += error[at] > 0 && bias_bound(traced_.slope[at], scene_.settings) <= quanta;
+    return beyond;
+}
+
+std::optional<int> bisect(int most, const std::function<bool(int)>& enough) {
+    if (!enough(most)) return std::nullopt;
+    int too_little = -1;
+    while (most - too_little > 1) {
+        const int middle = too_little + (most - too_little) / 2;
+        (enough(middle) ? most : too_little) = middle;
+    }
+    return most;
+}
+
+LeastBias least_bias(BiasedFrames& frames) {
+    const int most = most_bias_quanta(frames.settings().machine);
+    std::map<int, ShadowReport> seen;
+    const auto at = [&](int quanta) -> const ShadowReport& {
+        const auto found = seen.find(quanta);
+        if (found != seen.end()) return found->second;
+        return seen[quanta] = frames.errors(frames.draw(quanta));
+    };
+    const auto least = [&](ShadowError ShadowReport::* which) {
+        const auto found = bisect(most, [&](int quanta) {
+            return (at(quanta).*which).false_shadow_rate() < tolerated_false_shadow;
+        });
+        return found ? *found : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {least(&ShadowReport::all), least(&ShadowReport::outside_band)};
+}
+
+}  // namespace umbra78::tools::study

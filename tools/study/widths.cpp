@@ -1,0 +1,119 @@
+// umbra78 study widths: which width buys what?
+//
+// One width or rounding at a time, from the scene's values (1978's in the paper's scene), and X/Y
+// against Z on a grid. The bias is half a texel of the scene's own light map, figure 3's, kept in
+// world units: then every machine is asked for the same gap, and a coarser map shows all of its
+// error. Where X and Y vary it is also kept in texels, which grows with them. The accumulator is
+// not among the widths: it follows from theirs, so that no sum is rounded or overflows.
+#include "tools/study/traced.hpp"
+#include "tools/study/widths_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace umbra78::tools::study {
+namespace {
+
+using Values = std::vector<std::string>;
+
+class WidthsStudy : public Study {
+public:
+    std::string_view name() const override { return "widths"; }
+    std::string_view meaning() const override {
+        return "which width buys what: bits of X, Y, Z, matrix and fraction, and each rounding";
+    }
+    std::vector<Case> cases(const Request&) const override;
+    Row run(const Request&, const Case&) const override;
+    void report(const Request&, std::span<const Row> rows, Report& report) const override {
+        report_widths(rows, report);
+    }
+
+private:
+    TruthStore truths_;
+};
+
+// Half a texel at the scene's own widths, as a decimal that the bias holds exactly.
+std::string half_texel_in_world(const LoadedScene& scene) {
+    const double world = 0.5 / light_units(scene).texels_per_world;
+    return fmt::format("{:.16f}", std::ldexp(std::round(std::ldexp(world, 16)), -16));
+}
+
+std::vector<Axis> widths(bool quick) {
+    if (quick)
+        return {{"z_bits", {"12", "16"}}, {"fraction_bits", {"2", "7"}},
+                {"depth_rounding", {"floor", "half_up"}}};
+    const Values roundings{"floor",        "ceiling",   "to_zero",  "half_up",
+                           "half_to_zero", "half_away", "half_even"};
+    return {{"z_bits", {"8", "10", "11", "12", "13", "14", "15", "16", "18", "20"}},
+            {"coefficient_bits", {"8", "10", "11", "12", "13", "14", "16", "20", "24"}},
+            {"fraction_bits", {"0", "1", "2", "3", "4", "5", "6", "7", "8", "10"}},
+            {"coefficient_rounding", roundings},
+            {"transform_rounding", roundings},
+            {"depth_rounding", roundings}};
+}
+
+std::vector<Case> WidthsStudy::cases(const Request& request) const {
+    const auto of = [&](std::string_view varies, std::vector<Axis> axes) {
+        for (const Axis& shared : std::vector<Axis>{
+                 {"dither", {"none"}}, {"dequantize", {"0"}}, {"low_pass", {"0"}}})
+            axes.push_back(shared);
+        std::vector<Case> cases = grid(request, std::move(axes));
+        for (Case& c : cases) c.extra.emplace_back("varies", varies);
+        return cases;
+    };
+    const Axis lookups{"lookup", {"nearest", "bilinear"}};
+    const std::vector<Axis> in_world{{"bias_unit", {"world"}},
+                                     {"bias", {half_texel_in_world(request.scene)}}};
+    const std::vector<Axis> in_texels{{"bias_unit", {"texels"}}, {"bias", {"0.5"}}};
+    const Axis sizes{"xy_bits", request.quick ? Values{"7", "8"}
+                                              : Values{"6", "7", "8", "9", "10", "11"}};
+    const Axis grid_sizes{"xy_bits", request.quick ? Values{"7", "8"}
+                                                   : Values{"6", "7", "8", "9", "10"}};
+    const Axis depths{"z_bits", request.quick ? Values{"12", "16"}
+                                              : Values{"8", "10", "12", "14", "16", "18", "20"}};
+
+    std::vector<Case> all;
+    for (const auto& bias : {in_world, in_texels})
+        all = joined(std::move(all), of("xy_bits", {lookups, bias[0], bias[1], sizes}));
+    for (const Axis& width : widths(request.quick))
+        all = joined(std::move(all), of(width.first, {lookups, in_world[0], in_world[1], width}));
+    for (const auto& bias : {in_world, in_texels})
+        all = joined(std::move(all), of("xy_bits and z_bits", {{"lookup", {"nearest"}}, bias[0],
+                                                               bias[1], grid_sizes, depths}));
+    return all;
+}
+
+Row WidthsStudy::run(const Request& request, const Case& c) const {
+    const LoadedScene scene = scene_of(request, c);
+    const auto traced = truths_.of(scene);
+    if (!traced) throw SceneError("the widths study needs truth: spheres and planes only");
+    RenderJob job(scene.view(), scene.settings);
+    draw_mask(job);
+    const auto visible = job.visible();
+    const ShadowReport errors =
+        tools::report(traced->truth, {job.bytes(Plane::mask), visible}, traced->band);
+    const shadow::FrameLedger ledger = job.ledger();
+    const hw::MachineSpec& machine = scene.settings.machine;
+    const auto whole = [](auto n) { return static_cast<std::int64_t>(n); };
+
+    Row row;
+    set_rates(row, errors);
+    set_in_three_units(row, "bias", light_units(scene),
+                       std::ldexp(static_cast<double>(job.matrices().bias_quanta_q16), -16));
+    row.set("word_bits", whole(machine.word_bits()));
+    row.set("accumulator_bits", whole(machine.accumulator_bits()));
+    row.set("light_map_bytes",
+            (std::int64_t{machine.z_bits} << (2 * machine.xy_bits)) / 8);
+    row.set("drawing_cycles", whole(shadow::FrameLedger::cycles(ledger.light, true) +
+                                    shadow::FrameLedger::cycles(ledger.observer, true)));
+    row.set("transformation_cycles", whole(ledger.transformation(true)));
+    row.set("frame_host_ms", job.times().total_ms());
+    return row;
+}
+
+}  // namespace
+
+std::unique_ptr<Study> make_widths_study() { return std::make_unique<WidthsStudy>(); }
+
+}  // namespace umbra78::tools::study
