@@ -68,6 +68,7 @@ void write_png_gray(const Path&, int width, int height, std::span<const std::uin
                     FileSet* set = nullptr);
 void write_png_rgb(const Path&, int width, int height, std::span<const std::uint8_t>,
                    FileSet* set = nullptr);
+std::vector<std::byte> png_gray(int width, int height, std::span<const std::uint8_t>);
 
 struct GrayPng {
     int width, height;

@@ -27,10 +27,14 @@ int fail(std::string what, int exit_code) {
 
 // CLI11's error, made one line with a remedy.
 int fail_of_usage(const CLI::App& app, const CLI::ParseError& error) {
-    const auto chosen = app.get_subcommands();
-    const CLI::App& at = chosen.empty() ? app : *chosen.front();
-    const std::string help =
-        fmt::format("see umbra78 {}--help", chosen.empty() ? "" : at.get_name() + " ");
+    const CLI::App* chosen = &app;
+    std::string words;
+    while (!chosen->get_subcommands().empty()) {
+        chosen = chosen->get_subcommands().front();
+        words += chosen->get_name() + " ";
+    }
+    const CLI::App& at = *chosen;
+    const std::string help = fmt::format("see umbra78 {}--help", words);
     const std::vector<std::string> unknown = app.remaining(true);
     if (unknown.empty()) return fail(fmt::format("{}; {}", error.what(), help), 2);
 
@@ -58,6 +62,7 @@ int main(int argc, char** argv) {
     add_cycles_command(app, exit_code);
     add_trace_command(app, exit_code);
     add_bands_command(app, exit_code);
+    add_study_command(app, exit_code);
     add_settings_command(app, exit_code);
     app.footer("Example:\n  umbra78 figures --out out");  // last: subcommands would inherit it
     try {

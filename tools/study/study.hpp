@@ -25,7 +25,8 @@
 
 namespace umbra78::tools::study {
 
-// A value of a row. Numbers print so that they read back as the same number.
+// A value of a row. Numbers print so that they read back as the same number; NaN is empty, and an
+// infinity is the text "inf" or "-inf".
 using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 // Columns in the order they are added; every row of a study has the same.
@@ -53,6 +54,7 @@ struct Case {
 struct Request {
     std::string scene_file;          // as it was written; "" for the paper's scene
     LoadedScene scene;               // with the settings of the file
+    std::string scene_text;          // what cases are read from; "" for the paper's scene
     // --vary: in the order given; replaces the study's default values of that key.
     std::vector<std::pair<std::string, std::vector<std::string>>> vary;
     bool quick = false;              // a small grid for tests: seconds
@@ -74,9 +76,11 @@ public:
     virtual ~Study() = default;
     virtual std::string_view name() const = 0;
     virtual std::string_view meaning() const = 0;  // one line for --help
-    // The keys the study varies by itself, with their values, full and quick.
+    // Full or quick; a grid() of the keys the study varies by itself, as a rule.
     virtual std::vector<Case> cases(const Request&) const = 0;
-    // Called from several threads at once. Errors of a case are part of its row (column "status").
+    // The figures of a case. The framework puts the case's name, its extra columns, every setting
+    // and "status" before them: "ok", or what was thrown, which is part of the row. Called from
+    // several threads at once.
     virtual Row run(const Request&, const Case&) const = 0;
     // Plots, pictures and paragraphs from all rows; and the answers, for the JSON summary.
     virtual void report(const Request&, std::span<const Row>, Report&) const = 0;
@@ -95,6 +99,8 @@ std::unique_ptr<Study> make_stability_study();
 // and its other keys after them.
 using Axis = std::pair<std::string, std::vector<std::string>>;
 std::vector<Case> grid(const Request&, std::vector<Axis> defaults);
+// The cases of the first grid, then those of `more` that are not among them.
+std::vector<Case> joined(std::vector<Case> first, const std::vector<Case>& more);
 
 // The scene with a case's overrides. Throws SceneError.
 LoadedScene scene_of(const Request&, const Case&);

@@ -1,0 +1,55 @@
+// Rows on their way: JSON lines, a head and then a row a line in the order they were finished.
+//
+//   {"study":"error-time","inputs_hash":"fnv1a64:...","cases":84,"shard":[1,3],"inputs":{...}}
+//   {"case":17,"row":{"case":17,"name":"lookup=nearest ...",...}}
+//
+// A row is one write of one line, so a run that is killed loses no more than the line at hand; a
+// torn last line is left out when the file is read. Partial runs and shards are such files.
+#pragma once
+
+#include "tools/files.hpp"
+#include "tools/study/inputs.hpp"
+
+#include <map>
+
+namespace umbra78::tools::study {
+
+// Every n-th case, from the i-th on; 1/1 is all.
+struct Shard {
+    int i = 1, n = 1;
+    bool holds(std::size_t index) const {
+        return index % static_cast<std::size_t>(n) == static_cast<std::size_t>(i - 1);
+    }
+    bool operator==(const Shard&) const = default;
+};
+
+struct RowLog {
+    std::string hash;
+    std::size_t cases = 0;
+    Shard shard;
+    nlohmann::ordered_json inputs;
+    std::map<std::size_t, Row> rows;
+};
+
+std::string head_line(const Asked&, Shard);
+std::string row_line(std::size_t index, const Row&);
+RowLog read_row_log(const Path&);  // throws std::runtime_error
+// Cuts a line that a kill has torn, so that what is appended begins a line.
+void cut_torn_line(const Path&);
+
+// Appends rows to a log and begins it where there is none. Throws std::runtime_error.
+class RowAppender {
+public:
+    RowAppender(const Path&, const Asked&, Shard);
+    ~RowAppender();
+    RowAppender(const RowAppender&) = delete;
+    RowAppender& operator=(const RowAppender&) = delete;
+    void append(std::size_t index, const Row&);
+
+private:
+    void write(const std::string& line);
+    Path path_;
+    int file_ = -1;
+};
+
+}  // namespace umbra78::tools::study

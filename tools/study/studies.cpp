@@ -1,0 +1,15 @@
+// The list of studies.
+#include "tools/study/study.hpp"
+
+namespace umbra78::tools::study {
+
+std::span<const std::unique_ptr<Study>> studies() {
+    static const auto all = [] {
+        std::vector<std::unique_ptr<Study>> made;
+        made.push_back(make_error_time_study());
+        return made;
+    }();
+    return all;
+}
+
+}  // namespace umbra78::tools::study
