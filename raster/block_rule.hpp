@@ -32,6 +32,20 @@ constexpr int depth_guard(const hw::MachineSpec& spec) {
 
 using ScreenBounds = std::array<Bounds, 3>;  // x, y, z in raster units
 
+// A slope or bend of a quotient that says no more than "very large" (projection.hpp).
+inline constexpr std::int64_t huge_bound = std::int64_t{1} << 58;
+
+// Whether it does so in both directions: then the greater of the two tells nothing, and splitting
+// by it could go 24 times one way, into 2^24 slivers, before it went the other way once.
+constexpr bool unbounded_both_ways(const ScreenBounds& b) {
+    bool u = false, v = false;
+    for (const Bounds& c : b) {
+        u = u || c.slope_u >= huge_bound || c.bend_u >= huge_bound;
+        v = v || c.slope_v >= huge_bound || c.bend_v >= huge_bound;
+    }
+    return u && v;
+}
+
 enum class Fate : std::uint8_t { outside, split_u, split_v, draw };
 
 constexpr Fate block_fate(const ScreenBounds& b, const hw::MachineSpec& spec) {

@@ -110,11 +110,14 @@ Fate BlockWalk::fate(const StackBlock& b, ScreenBounds& bounds) const {
         bounds = affine_bounds(first<3>(b.screen));
         return block_fate(bounds, setup_.spec);
     }
+    const auto either = [&] { return b.level_u <= b.level_v ? Fate::split_u : Fate::split_v; };
     switch (projected_bounds(b.screen, setup_.spec, bounds)) {
         case Sight::outside: return Fate::outside;
-        case Sight::before: return block_fate(bounds, setup_.spec);
-        default: return b.level_u <= b.level_v ? Fate::split_u : Fate::split_v;
+        case Sight::both: return either();
+        case Sight::before: break;
     }
+    const Fate f = block_fate(bounds, setup_.spec);
+    return f == Fate::split_u && unbounded_both_ways(bounds) ? either() : f;
 }
 
 // Splits the popped block in place: its low half stays, its high half goes above it.

@@ -31,11 +31,18 @@ Component less(const Component& a, std::int64_t c, const Component& b) {
 }
 
 // v 2^n rounded up, or `huge` where that would leave 58 bits. v >= 0.
-constexpr std::int64_t huge = std::int64_t{1} << 58;
+constexpr std::int64_t huge = huge_bound;
 
 std::int64_t up(std::int64_t v, int n) {
     if (n < 0) return fixed::scale_shift(v, -n, Rounding::ceiling);
     return v >= huge >> n ? huge : v << n;
+}
+
+// The whole pixel that the bounds of a quotient are taken about.
+constexpr std::int64_t farthest_centre = 1 << 12;
+
+std::int64_t whole_pixel(const Component& x, const Component& w) {
+    return fixed::round_divide(x.f[0], w.f[0], Rounding::floor);
 }
 
 // Bounds of X / W in 2^-fraction pixel.
@@ -45,9 +52,7 @@ Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw,
                                      static_cast<std::uint64_t>(bw.least))) - 24);
     const std::int64_t w_least = bw.least >> down;
     const auto scaled = [&](std::int64_t v) { return (v >> down) + 1; };
-    const std::int64_t centre =
-        std::clamp<std::int64_t>(fixed::round_divide(x.f[0], w.f[0], Rounding::floor),
-                                 -(1 << 12), 1 << 12);
+    const std::int64_t centre = std::clamp(whole_pixel(x, w), -farthest_centre, farthest_centre);
     const Bounds b = bounds(less(x, centre, w));
     const auto over_w = [&](std::int64_t v) {  // v / W in the target's fraction, rounded up
         return up(scaled(v), fraction) / w_least + 1;
@@ -75,6 +80,17 @@ Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw,
     out.bend_u = bend(b.bend_u, bw.bend_u, out.slope_u, bw.slope_u);
     out.bend_v = bend(b.bend_v, bw.bend_v, out.slope_v, bw.slope_v);
     return out;
+}
+
+// Whether a block (W > 0) begins where no centre is near: about a clamped one its bounds hold the
+// frame however small it is. Near the eye nothing is small enough: split after split of a block a
+// thousand frames away cost a patch its whole allowance.
+bool far_out(const std::array<Component, 4>& c) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t at = whole_pixel(c[k], c[3]);
+        if (at < -farthest_centre || at > farthest_centre) return true;
+    }
+    return false;
 }
 
 // Whether all of a block, or all of it before the eye, lies beyond one side of the cube (grown by
@@ -137,8 +153,9 @@ Sight projected_bounds(const std::array<Component, 4>& c, const MachineSpec& spe
                        ScreenBounds& out) {
     const Bounds w = bounds(c[3]);
     if (w.greatest <= 0) return Sight::outside;
-    if (w.least <= 0)
-        return beyond_a_side(c, spec.half_px() + 1) ? Sight::outside : Sight::both;
+    const bool crosses = w.least <= 0;
+    if ((crosses || far_out(c)) && beyond_a_side(c, spec.half_px() + 1)) return Sight::outside;
+    if (crosses) return Sight::both;
     out = {quotient_bounds(c[0], c[3], w, raster_fraction),
            quotient_bounds(c[1], c[3], w, raster_fraction),
            quotient_bounds(c[2], c[3], w, spec.depth_fraction() + depth_guard(spec))};

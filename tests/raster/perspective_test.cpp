@@ -119,6 +119,21 @@ TEST(Perspective, SurfacesThatReachBehindTheEyeAreDrawn) {
     }
 }
 
+// A surface that ends just before the eye, a tenth of a million pixels below the frame: about a
+// clamped centre its bounds held the frame, and it took the patch's whole allowance of splits.
+TEST(Perspective, WhatEndsJustBeforeTheEyeTakesFewSplits) {
+    const MachineSpec spec = wide_coefficients();
+    for (const double near : {0.0009765625, 0.0625, 0.5}) {
+        const View view = perspective(0, 0, 2, 5, near, 60);
+        const Patches floor{plane_patch(plane({-20, -1, 5 - 1.0 / 512}, {40, 0, 0}, {0, 0, -30}))};
+        Stage<> stage(spec);
+        const DrawCounts counts = stage.draw(floor, view, Sampling::centre);
+        EXPECT_EQ(counts.unresolved, 0u);
+        EXPECT_LT(counts.splits, 10000u) << "near " << near;
+        for (int px = 0; px < 512; ++px) ASSERT_TRUE(stage.drawn(px, 511)) << px;
+    }
+}
+
 TEST(Perspective, TheEyeMayStandInASurfaceOrInsideASphere) {
     const MachineSpec spec = wide_coefficients();
     const View view = perspective(0, 0, 2, 5, 0.0625, 60);
