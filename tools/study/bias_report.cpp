@@ -95,8 +95,7 @@ void table_least(const Rows& searches, const Rows& rates, Report& report) {
     std::vector<std::vector<std::string>> table{
         {"sampling", "lookup", "dither", "X/Y bits", "Z bits", "least, quanta", "texels", "world",
          "least outside the band, quanta", "texels", "world", "bound there", "beyond it",
-         "false light", "gap, quanta",
-         "gap, texels", "gap, world"}};
+         "false light", "gap, quanta", "gap, texels", "gap, world"}};
     for (const Row& row : searches) {
         std::vector<std::string> line;
         for (const char* key : {"sampling", "lookup", "dither", "xy_bits", "z_bits"})

@@ -113,14 +113,16 @@ void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job,
 }
 
 // A profile's cycles mean something for a case that its words and its arithmetic could have made:
-// as many passes of the multiplier a coefficient, and the same post-process.
+// as many passes of the multiplier a coefficient, and the same post-process. A profile that names
+// no arithmetic is of the fixed-point machine.
 bool applies(const shadow::Profile& profile, const shadow::Settings& settings) {
-    shadow::Settings its = settings;
+    shadow::Settings its, both = settings;
     shadow::apply(profile, its);
-    const auto passes = [](const shadow::Settings& s) { return s.machine.coefficient_bits > 16; };
+    shadow::apply(profile, both);
+    const bool same_passes =
+        (its.machine.coefficient_bits > 16) == (settings.machine.coefficient_bits > 16);
     return its.arithmetic == settings.arithmetic &&
-           (its.arithmetic == shadow::Arithmetic::ap120b || passes(its) == passes(settings)) &&
-           shadow::closes(its);
+           (its.arithmetic == shadow::Arithmetic::ap120b || same_passes) && shadow::closes(both);
 }
 
 void set_cycles(Row& row, const std::string& prefix, const RenderJob& job) {

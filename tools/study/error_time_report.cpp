@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace umbra78::tools::study {
 namespace {
 
+// A column, its word in a file's name, and how it is told.
 struct Axis2 {
     const char *column, *name, *label;
 };
@@ -35,11 +37,26 @@ struct Front {
     std::size_t knee() const { return knee_of(points, front, floor); }
 };
 
-Front front_of(std::span<const Row> rows, const Axis2& cost, const Axis2& error) {
+// The edge band is a texel wide: with fewer bits of X and Y it leaves more pixels out. So errors
+// outside it are compared at one resolution, the scene's own or else that of the most rows.
+std::string resolution_of(const Request& request, std::span<const Row> rows) {
+    std::map<std::string, std::size_t> count;
+    for (const Row& row : rows) ++count[row.text("xy_bits")];
+    const std::string own = fmt::format("{}", request.scene.settings.machine.xy_bits);
+    if (count.contains(own)) return own;
+    const auto most = std::max_element(
+        count.begin(), count.end(), [](auto& a, auto& b) { return a.second < b.second; });
+    return most == count.end() ? own : most->first;
+}
+
+Front front_of(std::span<const Row> rows, const Axis2& cost, const Axis2& error,
+               const std::string& one_resolution) {
     Front f{cost, error, {}, {}, {}, 0};
     double most_pixels = 1;
+    const bool outside = std::string_view(error.name) == "outside";
     for (const Row& row : rows) {
         if (row.text("status") != "ok" || std::isnan(row.number(error.column))) continue;
+        if (outside && row.text("xy_bits") != one_resolution) continue;
         f.rows.push_back(row);
         f.points.emplace_back(row.number(cost.column), 100 * row.number(error.column));
         most_pixels = std::max(most_pixels, row.number("lit_pixels") +
@@ -55,7 +72,7 @@ std::string cloud_of(const Row& row) {
                        row.text("dither") == "none" ? "no dither" : "dither");
 }
 
-void plot_front(const Front& f, std::span<const Row> all, Report& to) {
+void plot_front(const Front& f, Report& to) {
     Plot plot;
     plot.name = fmt::format("front-{}-{}", f.cost.name, f.error.name);
     plot.title = fmt::format("Error against time: {}", f.error.label);
@@ -75,13 +92,14 @@ void plot_front(const Front& f, std::span<const Row> all, Report& to) {
     Series line{"Pareto front", {}, true, {}};
     for (std::size_t k = 0; k < f.front.size(); ++k) {
         line.points.push_back(shown(f.point(k)));
-        line.labels.push_back(short_name(f.row(k), all));
+        line.labels.push_back(f.row(k).text("case"));
     }
     plot.series.push_back(std::move(line));
     to.plot(plot, fmt::format("Each point is a setting; left is faster, down is better. The line "
-                              "joins the {} settings that no other beats in both. No error at all "
-                              "is drawn as half a pixel ({:.2g} %), for the axis is "
-                              "logarithmic.", f.front.size(), f.floor));
+                              "joins the settings that no other beats in both, {} of {}, with the "
+                              "numbers of their cases, which the table names. No error at all is "
+                              "drawn as half a pixel ({:.2g} %), for the axis is logarithmic.",
+                              f.front.size(), f.rows.size(), f.floor));
 }
 
 void table_of(const Front& f, std::span<const Row> all, Report& to) {
@@ -120,13 +138,14 @@ void tell(const Front& f, std::span<const Row> all, Report& to) {
     std::string text = fmt::format("By the {}'s time and {}: for speed, {}",
                                    f.cost.name, f.error.label, told(f, 0, all));
     if (f.front.size() == 1) {
-        text += "; nothing has less error, so no choice is left.";
+        text += fmt::format("; none of the {} settings has less error, so that one dominates "
+                            "them all.", f.rows.size());
     } else {
         text += fmt::format("; for least error, {}", told(f, f.front.size() - 1, all));
         if (const std::size_t knee = f.knee(); knee > 0)
             text += fmt::format("; where the front bends, {}", told(f, knee, all));
         text += fmt::format(". The front has {} settings of {}: each buys less error with more "
-                            "time.", f.front.size(), f.rows.size());
+                            "time, and none is best for all.", f.front.size(), f.rows.size());
     }
     to.paragraph(text);
     const auto answer = [&](std::size_t k) {
@@ -146,12 +165,13 @@ std::string word_of(const std::string& key, const std::string& value) {
     if (key == "xy_bits") return value + " bits";
     if (key == "z_bits") return "Z " + value;
     if (key == "coefficient_bits") return "words of " + value;
-    if (key == "form") return value == "correct" ? "correct form" : "";
+    if (key == "form") return value == "correct" ? "correct form" : "post-process";
     if (key == "dither") return value == "none" ? "no dither" : value + " dither";
     if (key == "dequantize") return value == "0" ? "unfiltered" : "edges dequantized";
     if (key == "low_pass") return value == "0" ? "" : "low-passed";
     if (key == "lookup" || key == "profile") return value;
-    if (key == "sampling") return value == "leaf" ? "leaf sampling" : "";
+    if (key == "sampling") return value + " sampling";
+    if (key == "bias_unit") return value;
     return fmt::format("{} {}", key, value);
 }
 
@@ -161,16 +181,22 @@ std::string short_name(const Row& row, std::span<const Row> all) {
     std::vector<std::string> words;
     const auto add = [&](const std::string& key) {
         const std::string value = row.text(key);
-        const bool same = std::all_of(all.begin(), all.end(),
-                                      [&](const Row& r) { return r.text(key) == value; });
-        if (same || value.empty()) return;
+        const auto alike = std::count_if(all.begin(), all.end(),
+                                         [&](const Row& r) { return r.text(key) == value; });
+        // What most rows share goes without saying, but for what the main grid varies.
+        constexpr std::array<std::string_view, 4> said{"xy_bits", "lookup", "dither",
+                                                       "dequantize"};
+        const bool is_said = std::find(said.begin(), said.end(), key) != said.end();
+        const auto rows = static_cast<std::ptrdiff_t>(all.size());
+        if (value.empty() || alike == rows || (!is_said && 2 * alike > rows)) return;
         if (const std::string word = word_of(key, value); !word.empty()) words.push_back(word);
     };
-    // In the order of the row: overrides that are no settings, then the settings; not the figures.
+    // Overrides that are no settings, extra columns, settings: all that stands before the figures.
     for (const auto& [key, value] : row.cells()) {
         if (key == "status") break;
         if (key != "case" && key != "name" && key != "arithmetic" && key != "clock_ns") add(key);
     }
+    if (words.empty()) return row.text("name");
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
@@ -178,17 +204,19 @@ void report_error_time(const Request& request, std::span<const Row> rows, Report
     to.paragraph("A main grid of form, resolution, lookup, dither and filters, and the other "
                  "settings one at a time about the scene's own; --vary replaces a key's values. "
                  "The bias is the scene's in texels, where it is not varied: with fewer bits of "
-                 "X and Y it grows as the texels do, with fewer of Z it stays. Host times are medians, taken while other cases "
-                 "run on the other cores.");
+                 "X and Y it grows as the texels do, with fewer of Z it stays. Host times are "
+                 "medians, taken while other cases run on the other cores. The edge band is a "
+                 "light texel mapped back and the filters' reach: it leaves out more where texels "
+                 "are larger, so errors outside it are compared at one resolution.");
     bool any = false;
     for (const Axis2& cost : costs) {
         if (!request.host_times && std::string_view(cost.name) == "host") continue;
         for (const Axis2& error : errors) {
-            const Front f = front_of(rows, cost, error);
+            const Front f = front_of(rows, cost, error, resolution_of(request, rows));
             if (f.front.empty()) continue;
             any = true;
             tell(f, f.rows, to);
-            plot_front(f, f.rows, to);
+            plot_front(f, to);
             table_of(f, f.rows, to);
         }
     }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -46,6 +47,26 @@ std::string ticks(char axis, const std::vector<std::string>& names) {
     return text + (axis == 'x' ? ") rotate by 30 right\n" : ")\n");
 }
 
+// gnuplot's own range on a logarithmic axis goes to the next power of ten.
+std::string log_range(char axis, const std::vector<Series>& series) {
+    double least = 0, greatest = 0;
+    for (const Series& s : series)
+        for (const auto& [x, y] : s.points) {
+            const double value = axis == 'x' ? x : y;
+            if (!(value > 0) || !std::isfinite(value)) continue;
+            least = least > 0 ? std::min(least, value) : value;
+            greatest = std::max(greatest, value);
+        }
+    if (!(least > 0)) return "";
+    const double room = std::max(std::pow(greatest / least, 0.06), 1.02);
+    return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n"
+                       "set {0}tics add ({3}, {4})\nset format {0} '%.3g'\n",
+                       axis, least / room, greatest * room, least, greatest);
+}
+
+constexpr std::array colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
+                             "#333333", "#d55e00", "#56b4e9", "#999933"};
+
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{}", value) : "NaN";
 }
@@ -66,8 +87,10 @@ std::string output_of(const std::string& command, int& status) {
 std::string script_of(const Plot& plot) {
     std::string text = head(plot.name, plot.title, plot.x_label, plot.y_label);
     text += "set grid\nset key outside below\n";
-    if (plot.log_x) text += "set logscale x\n";
-    if (plot.log_y) text += "set logscale y\n";
+    if (plot.log_x) text += log_range('x', plot.series);
+    if (plot.log_y) text += log_range('y', plot.series);
+    for (std::size_t k = 0; k < colours.size(); ++k)
+        text += fmt::format("set linetype {} lc rgb '{}'\n", k + 1, colours[k]);
     std::string drawn;
     for (std::size_t s = 0; s < plot.series.size(); ++s) {
         const Series& series = plot.series[s];
@@ -80,7 +103,7 @@ std::string script_of(const Plot& plot) {
         text += "EOD\n";
         drawn += fmt::format("{}$s{} using 1:2 with {} title {}", drawn.empty() ? "" : ", ", s,
                              series.line ? "linespoints pointtype 7 pointsize 0.6"
-                                         : "points pointtype 6 pointsize 0.5",
+                                         : "points pointtype 6 pointsize 0.8",
                              in_quotes(series.title));
         if (!series.labels.empty())
             drawn += fmt::format(", $s{} using 1:2:3 with labels left offset char 0.7,0.4 "

@@ -85,13 +85,21 @@ Row row_of(const nlohmann::ordered_json& json) {
 }
 
 std::vector<Row> aligned(std::span<const Row> rows) {
-    Row all;
-    for (const Row& row : rows)
-        for (const auto& [column, value] : row.cells()) all.set(column, std::monostate{});
+    // A column that a row has not had before comes behind the one that it follows there.
+    std::vector<std::string> columns;
+    for (const Row& row : rows) {
+        std::ptrdiff_t behind = 0;
+        for (const auto& [column, value] : row.cells()) {
+            auto found = std::find(columns.begin(), columns.end(), column);
+            if (found == columns.end()) found = columns.insert(columns.begin() + behind, column);
+            behind = found - columns.begin() + 1;
+        }
+    }
     std::vector<Row> result;
     for (const Row& row : rows) {
-        result.push_back(all);
-        for (const auto& [column, value] : row.cells()) result.back().set(column, value);
+        Row& whole = result.emplace_back();
+        for (const std::string& column : columns) whole.set(column, std::monostate{});
+        for (const auto& [column, value] : row.cells()) whole.set(column, value);
     }
     return result;
 }

@@ -9,6 +9,7 @@ std::span<const std::unique_ptr<Study>> studies() {
         made.push_back(make_error_time_study());
         made.push_back(make_bias_study());
         made.push_back(make_widths_study());
+        made.push_back(make_moire_study());
         return made;
     }();
     return all;

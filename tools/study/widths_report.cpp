@@ -57,7 +57,8 @@ void plot_width(std::span<const Row> rows, const char* key, const char* unit, Re
     }
     if (!plot.series.empty())
         report.plot(plot, fmt::format("The other widths stay the scene's; the bias is the same in "
-                                      "{} for all.", unit));
+                                      "{} for all.",
+                                      std::string_view(unit) == "world" ? "world units" : unit));
 }
 
 void tell_roundings(std::span<const Row> rows, Report& report) {
@@ -152,11 +153,33 @@ void tell_paper(std::span<const Row> rows, Report& report) {
     }
 }
 
+// With n pixels a side: what grows as which power of n, and what halving an error costs.
+void tell_growth(std::span<const Row> rows, const char* lookup, Report& report) {
+    for (const char* unit : {"world", "texels"}) {
+        const Rows some =
+            where(rows, {{"varies", "xy_bits"}, {"lookup", lookup}, {"bias_unit", unit}});
+        auto& json = report.summary()["grows_with_pixels_a_side_to_the"][lookup][unit];
+        std::string words, price;
+        for (const char* column : {"light_map_bytes", "drawing_cycles", "transformation_cycles",
+                                   "false_shadow", "false_light"}) {
+            const double power = growth_per_doubling(some, column);
+            json[column] = power;
+            if (!std::isfinite(power)) continue;
+            words += fmt::format("{}{} {:.2f}", words.empty() ? "" : ", ", column, power);
+            if (power < -0.1)
+                price += fmt::format("; half the {} costs {:.3g} times the memory", column,
+                                     std::pow(2.0, -2 / power));
+        }
+        if (!words.empty())
+            report.paragraph(fmt::format("{} lookup, n pixels a side, the bias kept in {}: as n to "
+                                         "the power grow {}{}.", lookup, unit, words, price));
+    }
+}
+
 void tell_square_law(std::span<const Row> rows, Report& report) {
     std::vector<std::vector<std::string>> table{{"lookup", "X/Y bits", "false shadow",
         "false light", "light map, bytes", "drawing, cycles", "transformation, cycles",
         "host, ms"}};
-    auto& json = report.summary()["grows_with_pixels_a_side_to_the"];
     for (const char* lookup : {"nearest", "bilinear"}) {
         const Rows some =
             where(rows, {{"varies", "xy_bits"}, {"lookup", lookup}, {"bias_unit", "texels"}});
@@ -169,15 +192,7 @@ void tell_square_law(std::span<const Row> rows, Report& report) {
                              rate(row, "false_light"), row.text("light_map_bytes"),
                              row.text("drawing_cycles"), row.text("transformation_cycles"),
                              has_times ? fmt::format("{:.1f}", row.number("frame_host_ms")) : ""});
-        std::string words;
-        for (const char* column : {"light_map_bytes", "drawing_cycles", "transformation_cycles",
-                                   "false_shadow_outside", "false_shadow", "false_light"}) {
-            const double power = growth_per_doubling(some, column);
-            json[lookup][column] = power;
-            words += fmt::format("{}{} {:.2f}", words.empty() ? "" : ", ", column, power);
-        }
-        report.paragraph(fmt::format("{} lookup: with the pixels a side n, the bias half a texel, "
-                                     "grow as n to the power: {}.", lookup, words));
+        tell_growth(rows, lookup, report);
         Plot plot;
         plot.name = fmt::format("square-law-{}", lookup);
         plot.title = fmt::format("What lateral resolution buys, {} lookup", lookup);
@@ -221,6 +236,13 @@ void report_widths(std::span<const Row> rows, Report& report) {
         map_errors(rows, unit, "false_light", "False light", report);
     }
     tell_steps(rows, report);
+    // Of the paper's scene at f = 1: false shadow 7.1 % with the light at azimuth -100, 43.8 % at
+    // +100; at f = 7, 23.9 % and 23.4 %.
+    report.paragraph(
+        "A step that loses bits may lower false shadow, and is no gain: with nearest lookup X and "
+        "Y rounded half up to f fraction bits, and then cut to a texel, look half of 2^-f texel "
+        "too far to one side, which a light from one side turns into less false shadow and more "
+        "false light, and from the other into the reverse.");
     tell_roundings(rows, report);
 }
 
