@@ -1,9 +1,14 @@
-// What the study of error against run time makes of its rows.
+// The parts of the study of error against run time: a row's figures, and what is made of all.
 #pragma once
 
+#include "tools/render_job.hpp"
 #include "tools/study/study.hpp"
+#include "tools/study/truth_cache.hpp"
 
 namespace umbra78::tools::study {
+
+// Hashes, errors, cycles by each profile that applies, memory. The job keeps its settings.
+Row error_time_row(const LoadedScene&, RenderJob& drawn, const TruthCache::Entry&);
 
 // Fronts of the errors against the host's and the machine's time, what lies on them, and which
 // setting to take for speed, for least error, and between.

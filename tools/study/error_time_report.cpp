@@ -2,7 +2,6 @@
 #include "tools/study/pareto.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -130,8 +129,9 @@ nlohmann::ordered_json to_json(const Front& f, std::span<const Row> all) {
 }
 
 std::string told(const Front& f, std::size_t k, std::span<const Row> all) {
-    return fmt::format("{} (case {}: {:.3g} ms, {:.3g} %)", short_name(f.row(k), all),
-                       f.row(k).text("case"), f.point(k).first, f.point(k).second);
+    return fmt::format("{} (case {}: {:.{}f} ms, {:.3g} %)", short_name(f.row(k), all),
+                       f.row(k).text("case"), f.point(k).first, f.point(k).first < 1000 ? 1 : 0,
+                       f.point(k).second);
 }
 
 void tell(const Front& f, std::span<const Row> all, Report& to) {
@@ -160,54 +160,17 @@ void tell(const Front& f, std::span<const Row> all, Report& to) {
     json["front"] = to_json(f, all);
 }
 
-// A setting as a word or two; nothing where it is the same in all rows.
-std::string word_of(const std::string& key, const std::string& value) {
-    if (key == "xy_bits") return value + " bits";
-    if (key == "z_bits") return "Z " + value;
-    if (key == "coefficient_bits") return "words of " + value;
-    if (key == "form") return value == "correct" ? "correct form" : "post-process";
-    if (key == "dither") return value == "none" ? "no dither" : value + " dither";
-    if (key == "dequantize") return value == "0" ? "unfiltered" : "edges dequantized";
-    if (key == "low_pass") return value == "0" ? "" : "low-passed";
-    if (key == "lookup" || key == "profile") return value;
-    if (key == "sampling") return value + " sampling";
-    if (key == "bias_unit") return value;
-    return fmt::format("{} {}", key, value);
-}
-
 }  // namespace
-
-std::string short_name(const Row& row, std::span<const Row> all) {
-    std::vector<std::string> words;
-    const auto add = [&](const std::string& key) {
-        const std::string value = row.text(key);
-        const auto alike = std::count_if(all.begin(), all.end(),
-                                         [&](const Row& r) { return r.text(key) == value; });
-        // What most rows share goes without saying, but for what the main grid varies.
-        constexpr std::array<std::string_view, 4> said{"xy_bits", "lookup", "dither",
-                                                       "dequantize"};
-        const bool is_said = std::find(said.begin(), said.end(), key) != said.end();
-        const auto rows = static_cast<std::ptrdiff_t>(all.size());
-        if (value.empty() || alike == rows || (!is_said && 2 * alike > rows)) return;
-        if (const std::string word = word_of(key, value); !word.empty()) words.push_back(word);
-    };
-    // Overrides that are no settings, extra columns, settings: all that stands before the figures.
-    for (const auto& [key, value] : row.cells()) {
-        if (key == "status") break;
-        if (key != "case" && key != "name" && key != "arithmetic" && key != "clock_ns") add(key);
-    }
-    if (words.empty()) return row.text("name");
-    return fmt::format("{}", fmt::join(words, ", "));
-}
 
 void report_error_time(const Request& request, std::span<const Row> rows, Report& to) {
     to.paragraph("A main grid of form, resolution, lookup, dither and filters, and the other "
                  "settings one at a time about the scene's own; --vary replaces a key's values. "
                  "The bias is the scene's in texels, where it is not varied: with fewer bits of "
                  "X and Y it grows as the texels do, with fewer of Z it stays. Host times are "
-                 "medians, taken while other cases run on the other cores. The edge band is a "
-                 "light texel mapped back and the filters' reach: it leaves out more where texels "
-                 "are larger, so errors outside it are compared at one resolution.");
+                 "medians of a thread's own time on a processor, while other cases run on the "
+                 "other cores. The edge band is a light texel mapped back and the filters' "
+                 "reach: it leaves out more where texels are larger, so errors outside it are "
+                 "compared at one resolution.");
     bool any = false;
     for (const Axis2& cost : costs) {
         if (!request.host_times && std::string_view(cost.name) == "host") continue;

@@ -5,16 +5,28 @@
 
 #include <fmt/format.h>
 
+#include <time.h>
+
 #include <algorithm>
 #include <vector>
 
 namespace umbra78::tools::study {
 namespace {
 
+double thread_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
 template <class Stage>
 Timed timed(int runs, Stage stage) {
     std::vector<double> ms;
-    for (int k = 0; k < runs; ++k) ms.push_back(stage());
+    for (int k = 0; k < runs; ++k) {
+        const double start_ms = thread_ms();
+        stage();
+        ms.push_back(thread_ms() - start_ms);
+    }
     std::sort(ms.begin(), ms.end());
     return {ms[ms.size() / 2], ms.back() - ms.front()};
 }
@@ -41,13 +53,11 @@ RenderJob& SharedDraw::draw(const std::string& text, const LoadedScene& scene, i
         job_->use(scene.settings);
         kept = shadow::what_stands_still(before, job_->inputs());
     }
-    const auto stage = [&](auto run, double StageTimes::*ms) {
-        return timed(runs, [&] { return ((*job_).*run)(), job_->times().*ms; });
-    };
-    if (!kept.light_map) light = stage(&RenderJob::draw_light, &StageTimes::light_ms);
-    if (!kept.observer) observer = stage(&RenderJob::draw_observer, &StageTimes::observer_ms);
-    post_process = stage(&RenderJob::cast_shadows, &StageTimes::post_process_ms);
-    filters = stage(&RenderJob::filter_and_composite, &StageTimes::filters_ms);
+    const auto stage = [&](auto run) { return timed(runs, [&] { ((*job_).*run)(); }); };
+    if (!kept.light_map) light = stage(&RenderJob::draw_light);
+    if (!kept.observer) observer = stage(&RenderJob::draw_observer);
+    post_process = stage(&RenderJob::cast_shadows);
+    filters = stage(&RenderJob::filter_and_composite);
     key_ = key;
     return *job_;
 }

@@ -2,6 +2,7 @@
 //
 // Each case's frame is the one that RenderJob::render() would give: a view is kept only where
 // shadow::what_stands_still() says so, and its times are those of when it was drawn.
+// Times are the thread's own on a processor: what else runs on the computer does not count.
 #pragma once
 
 #include "tools/render_job.hpp"
