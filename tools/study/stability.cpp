@@ -13,7 +13,7 @@ namespace umbra78::tools::study {
 namespace {
 
 Case case_of(std::string_view name, std::string_view kind, std::string_view must) {
-    return {std::string(name), {}, {{"case", std::string(name)}, {"kind", std::string(kind)},
+    return {std::string(name), {}, {{"name", std::string(name)}, {"kind", std::string(kind)},
                                     {"must", std::string(must)}}};
 }
 
@@ -48,6 +48,7 @@ Row row_of(const Finding& f) {
     row.set("blocks", whole(f.blocks));
     row.set("unresolved", whole(f.unresolved));
     row.set("cycles", whole(f.cycles));
+    row.set("lost", whole(f.lost));
     row.set("far_codes", whole(f.far_codes));
     row.set("depth_error_units", f.depth_error_units);
     row.set("depth_error_quanta", f.depth_error_quanta);
@@ -93,15 +94,15 @@ void Stability::report(const Request&, std::span<const Row> rows, Report& report
     Series codes{"Z codes for the far half", {}, true, {}};
     std::int64_t red = 0;
     for (const Row& r : rows) {
-        table.push_back({r.text("case"), r.text("kind"), r.text("must"), r.text("holds"),
+        table.push_back({r.text("name"), r.text("kind"), r.text("must"), r.text("holds"),
                          r.text("status"), r.text("observed"), r.text("error"), r.text("bound"),
                          r.text("unit")});
-        if (r.text("kind") == "limit") limits.push_back({r.text("case"), r.text("onset")});
-        if (r.text("far_codes") != "" && r.text("case").starts_with("far/near"))
-            codes.points.emplace_back(std::stod(r.text("case").substr(9)), r.number("far_codes"));
+        if (r.text("kind") == "limit") limits.push_back({r.text("name"), r.text("onset")});
+        if (r.text("far_codes") != "" && r.text("name").starts_with("far/near"))
+            codes.points.emplace_back(std::stod(r.text("name").substr(9)), r.number("far_codes"));
         if (r.text("holds") != "yes") {
             ++red;
-            report.paragraph(fmt::format("Does not hold: {}: {}.", r.text("case"),
+            report.paragraph(fmt::format("Does not hold: {}: {}.", r.text("name"),
                                          r.text("observed")));
         }
     }

@@ -28,6 +28,7 @@ struct Finding {
     double error = not_measured, bound = not_measured;  // in `unit`; the worst of its kind
     std::string unit;
     std::optional<std::int64_t> splits, blocks, unresolved, cycles;
+    std::optional<std::int64_t> lost;         // pixels truth sees, inside a surface, not drawn
     std::optional<std::int64_t> far_codes;    // Z codes used for the far half of the depths
     double depth_error_units = not_measured;  // of Z decoded, in world units
     double depth_error_quanta = not_measured;

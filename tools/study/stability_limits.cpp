@@ -42,6 +42,15 @@ std::string far_over_near(int k, const char* bits) {
 }
 std::string far_over_near_16(int k) { return far_over_near(k, "16"); }
 std::string far_over_near_24(int k) { return far_over_near(k, "24"); }
+// A depth of nine tenths of far, where its code rounds behind the last: it is not drawn.
+std::string last_code(int k, int z_bits) {
+    const double ratio = std::ldexp(1.0, k);  // far / near, with near = 1
+    const double z = ((ratio + 1) * 0.9 * ratio - 2 * ratio) / ((ratio - 1) * 0.9 * ratio);
+    const double codes = std::ldexp(1.0, z_bits - 1);
+    return std::floor(codes + codes * z + 0.5) < 2 * codes ? "ok" : "beyond_last_code";
+}
+std::string last_code_16(int k) { return last_code(k, 16); }
+std::string last_code_24(int k) { return last_code(k, 24); }
 std::string bias(int k) { return asked({"bias=" + two_to(k)}); }
 std::string bias_in_world(int k) {
     return asked({"bias=" + two_to(k), "bias_unit=world", "light.near=0", "light.far=" + two_to(-15)});
@@ -76,6 +85,10 @@ std::vector<LimitCase> limit_cases() {
         {"limit: light's depth 1000 away, small", ever, 4, -16, shifted_depth, "", "world units"},
         {"limit: far/near, 16-bit coefficients", ever, 1, 32, far_over_near_16, "", "far/near"},
         {"limit: far/near, 24-bit coefficients", ever, 1, 32, far_over_near_24, "", "far/near"},
+        {"limit: far/near until 0.9 far is lost, 16-bit Z", ever, 1, 30, last_code_16, "",
+         "far/near"},
+        {"limit: far/near until 0.9 far is lost, 24-bit Z", ever, 1, 30, last_code_24, "",
+         "far/near"},
         {"limit: bias in quanta", ever, 0, 26, bias, "", "quanta"},
         {"limit: bias in world units, depth 2^-15", ever, 0, 26, bias_in_world, "",
          "world units"},
