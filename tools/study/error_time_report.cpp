@@ -1,0 +1,200 @@
+#include "tools/study/error_time.hpp"
+#include "tools/study/pareto.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace umbra78::tools::study {
+namespace {
+
+struct Axis2 {
+    const char *column, *name, *label;
+};
+constexpr std::array<Axis2, 2> costs{{{"total_host_ms", "host", "host, ms a frame (median)"},
+                                      {"frame_machine_ms", "machine",
+                                       "machine of the time, ms a frame (simulated)"}}};
+constexpr std::array<Axis2, 2> errors{
+    {{"outside_wrong", "outside", "wrong pixels outside the edge band, %"},
+     {"wrong", "overall", "wrong pixels, %"}}};
+
+// A front with the rows it is of.
+struct Front {
+    Axis2 cost, error;
+    std::vector<Row> rows;
+    std::vector<CostAndError> points;  // the error in per cent
+    std::vector<std::size_t> front;    // cheapest first
+    double floor = 0;                  // per cent: half a pixel, drawn in place of no error
+
+    const Row& row(std::size_t k) const { return rows[front[k]]; }
+    const CostAndError& point(std::size_t k) const { return points[front[k]]; }
+    std::size_t knee() const { return knee_of(points, front, floor); }
+};
+
+Front front_of(std::span<const Row> rows, const Axis2& cost, const Axis2& error) {
+    Front f{cost, error, {}, {}, {}, 0};
+    double most_pixels = 1;
+    for (const Row& row : rows) {
+        if (row.text("status") != "ok" || std::isnan(row.number(error.column))) continue;
+        f.rows.push_back(row);
+        f.points.emplace_back(row.number(cost.column), 100 * row.number(error.column));
+        most_pixels = std::max(most_pixels, row.number("lit_pixels") +
+                                                row.number("shadowed_pixels"));
+    }
+    f.front = pareto_front(f.points);
+    f.floor = 50 / most_pixels;
+    return f;
+}
+
+std::string cloud_of(const Row& row) {
+    return fmt::format("{}, {}", row.text("lookup"),
+                       row.text("dither") == "none" ? "no dither" : "dither");
+}
+
+void plot_front(const Front& f, std::span<const Row> all, Report& to) {
+    Plot plot;
+    plot.name = fmt::format("front-{}-{}", f.cost.name, f.error.name);
+    plot.title = fmt::format("Error against time: {}", f.error.label);
+    plot.x_label = f.cost.label;
+    plot.y_label = f.error.label;
+    plot.log_x = plot.log_y = true;
+    const auto shown = [&](const CostAndError& p) {
+        return CostAndError{p.first, std::max(p.second, f.floor)};
+    };
+    for (const char* name : {"nearest, no dither", "nearest, dither", "bilinear, no dither",
+                             "bilinear, dither"}) {
+        Series cloud{name, {}, false, {}};
+        for (std::size_t k = 0; k < f.rows.size(); ++k)
+            if (cloud_of(f.rows[k]) == name) cloud.points.push_back(shown(f.points[k]));
+        if (!cloud.points.empty()) plot.series.push_back(std::move(cloud));
+    }
+    Series line{"Pareto front", {}, true, {}};
+    for (std::size_t k = 0; k < f.front.size(); ++k) {
+        line.points.push_back(shown(f.point(k)));
+        line.labels.push_back(short_name(f.row(k), all));
+    }
+    plot.series.push_back(std::move(line));
+    to.plot(plot, fmt::format("Each point is a setting; left is faster, down is better. The line "
+                              "joins the {} settings that no other beats in both. No error at all "
+                              "is drawn as half a pixel ({:.2g} %), for the axis is "
+                              "logarithmic.", f.front.size(), f.floor));
+}
+
+void table_of(const Front& f, std::span<const Row> all, Report& to) {
+    std::vector<std::vector<std::string>> table{
+        {"case", "setting", f.cost.label, f.error.label, "false shadow %", "false light %",
+         "isolated pixels"}};
+    for (std::size_t k = 0; k < f.front.size(); ++k) {
+        const Row& row = f.row(k);
+        table.push_back({row.text("case"), short_name(row, all),
+                         fmt::format("{:.4g}", f.point(k).first),
+                         fmt::format("{:.4g}", f.point(k).second),
+                         fmt::format("{:.3g}", 100 * row.number("false_shadow")),
+                         fmt::format("{:.3g}", 100 * row.number("false_light")),
+                         row.text("isolated_pixels")});
+    }
+    to.table(table, fmt::format("The front of {} against {}, fastest first.", f.error.label,
+                                f.cost.label));
+}
+
+nlohmann::ordered_json to_json(const Front& f, std::span<const Row> all) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (std::size_t k = 0; k < f.front.size(); ++k)
+        json.push_back({{"case", std::int64_t(f.row(k).number("case"))},
+                        {"setting", short_name(f.row(k), all)},
+                        {f.cost.column, f.point(k).first},
+                        {f.error.column, f.row(k).number(f.error.column)}});
+    return json;
+}
+
+std::string told(const Front& f, std::size_t k, std::span<const Row> all) {
+    return fmt::format("{} (case {}: {:.3g} ms, {:.3g} %)", short_name(f.row(k), all),
+                       f.row(k).text("case"), f.point(k).first, f.point(k).second);
+}
+
+void tell(const Front& f, std::span<const Row> all, Report& to) {
+    std::string text = fmt::format("By the {}'s time and {}: for speed, {}",
+                                   f.cost.name, f.error.label, told(f, 0, all));
+    if (f.front.size() == 1) {
+        text += "; nothing has less error, so no choice is left.";
+    } else {
+        text += fmt::format("; for least error, {}", told(f, f.front.size() - 1, all));
+        if (const std::size_t knee = f.knee(); knee > 0)
+            text += fmt::format("; where the front bends, {}", told(f, knee, all));
+        text += fmt::format(". The front has {} settings of {}: each buys less error with more "
+                            "time.", f.front.size(), f.rows.size());
+    }
+    to.paragraph(text);
+    const auto answer = [&](std::size_t k) {
+        return nlohmann::ordered_json{{"case", std::int64_t(f.row(k).number("case"))},
+                                      {"setting", short_name(f.row(k), all)}};
+    };
+    nlohmann::ordered_json& json =
+        to.summary()[fmt::format("{}_{}", f.cost.name, f.error.name)];
+    json["for_speed"] = answer(0);
+    json["for_least_error"] = answer(f.front.size() - 1);
+    json["between"] = answer(f.knee());
+    json["front"] = to_json(f, all);
+}
+
+// A setting as a word or two; nothing where it is the same in all rows.
+std::string word_of(const std::string& key, const std::string& value) {
+    if (key == "xy_bits") return value + " bits";
+    if (key == "z_bits") return "Z " + value;
+    if (key == "coefficient_bits") return "words of " + value;
+    if (key == "form") return value == "correct" ? "correct form" : "";
+    if (key == "dither") return value == "none" ? "no dither" : value + " dither";
+    if (key == "dequantize") return value == "0" ? "unfiltered" : "edges dequantized";
+    if (key == "low_pass") return value == "0" ? "" : "low-passed";
+    if (key == "lookup" || key == "profile") return value;
+    if (key == "sampling") return value == "leaf" ? "leaf sampling" : "";
+    return fmt::format("{} {}", key, value);
+}
+
+}  // namespace
+
+std::string short_name(const Row& row, std::span<const Row> all) {
+    std::vector<std::string> words;
+    const auto add = [&](const std::string& key) {
+        const std::string value = row.text(key);
+        const bool same = std::all_of(all.begin(), all.end(),
+                                      [&](const Row& r) { return r.text(key) == value; });
+        if (same || value.empty()) return;
+        if (const std::string word = word_of(key, value); !word.empty()) words.push_back(word);
+    };
+    // In the order of the row: overrides that are no settings, then the settings; not the figures.
+    for (const auto& [key, value] : row.cells()) {
+        if (key == "status") break;
+        if (key != "case" && key != "name" && key != "arithmetic" && key != "clock_ns") add(key);
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+void report_error_time(const Request& request, std::span<const Row> rows, Report& to) {
+    to.paragraph("A main grid of form, resolution, lookup, dither and filters, and the other "
+                 "settings one at a time about the scene's own; --vary replaces a key's values. "
+                 "The bias is the scene's in texels, where it is not varied: with fewer bits of "
+                 "X and Y it grows as the texels do, with fewer of Z it stays. Host times are medians, taken while other cases "
+                 "run on the other cores.");
+    bool any = false;
+    for (const Axis2& cost : costs) {
+        if (!request.host_times && std::string_view(cost.name) == "host") continue;
+        for (const Axis2& error : errors) {
+            const Front f = front_of(rows, cost, error);
+            if (f.front.empty()) continue;
+            any = true;
+            tell(f, f.rows, to);
+            plot_front(f, f.rows, to);
+            table_of(f, f.rows, to);
+        }
+    }
+    if (!any)
+        to.paragraph("The scene has surfaces that are neither spheres nor planes, whose exact "
+                     "shadow is not known here: there are times and hashes, but no errors.");
+}
+
+}  // namespace umbra78::tools::study
