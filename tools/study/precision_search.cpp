@@ -70,7 +70,8 @@ public:
         double error = at(best);
         for (int k = 0; k < steps; ++k) {
             Input next = best;
-            const auto w = static_cast<std::size_t>(random.bits() % static_cast<unsigned>(unit_.words));
+            const auto w = static_cast<std::size_t>(
+                random.bits() % static_cast<unsigned>(unit_.words));
             const std::uint64_t draw = random.bits();
             const int width = unit_.bits[w];
             const auto flip = std::uint64_t{1} << (draw >> 8) % static_cast<unsigned>(width);

@@ -56,7 +56,7 @@ struct FrameCase {
     std::string_view must;
     std::string scene;            // TOML
     std::vector<std::string> set{};
-    std::string_view status = "ok";
+    std::string_view status = "ok";  // or how a refusal must begin; beyond_last_code is told
     std::int64_t most_splits = 50000;
     bool far_half = false;        // measure Z's codes and error over the depths
 };
@@ -69,7 +69,6 @@ struct LimitCase {
     std::string_view name, must;
     int from, to;                          // from is held, to is refused (or held, too)
     std::string (*status)(int k);          // "ok" or a name
-    std::string_view expected;             // the name it must be refused by; "ok": never
     std::string_view magnitude;            // what 2^k is
 };
 std::vector<LimitCase> limit_cases();

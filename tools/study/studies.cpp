@@ -7,6 +7,8 @@ std::span<const std::unique_ptr<Study>> studies() {
     static const auto all = [] {
         std::vector<std::unique_ptr<Study>> made;
         made.push_back(make_error_time_study());
+        made.push_back(make_precision_study());
+        made.push_back(make_stability_study());
         return made;
     }();
     return all;
