@@ -34,7 +34,7 @@ TEST(StudyStability, EveryCaseHoldsAndSaysSoTwice) {
         EXPECT_TRUE(names.insert(c.name).second) << c.name << " is there twice";
         const Row row = study->run(quick(), c);
         EXPECT_EQ(row.text("holds"), "yes") << c.name << ": " << row.text("observed");
-        EXPECT_NE(row.text("status"), "") << c.name;
+        EXPECT_NE(row.text("machine_status"), "") << c.name;
         EXPECT_EQ(texts(row), texts(study->run(quick(), c))) << c.name;
     }
 }

@@ -64,6 +64,13 @@ std::vector<FrameCase> stiff_frames();
 std::vector<FrameCase> extreme_frames();
 Finding examine(const FrameCase&, const Effort&);
 
+// The frame's picture with its shadows.
+struct Picture {
+    int size;
+    std::vector<std::uint8_t> gray;
+};
+Picture picture_of(const FrameCase&, const Effort&);
+
 // A magnitude 2^k, k = from .. to, that is raised or lowered until the machine refuses.
 struct LimitCase {
     std::string_view name, must;

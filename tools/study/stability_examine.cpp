@@ -96,6 +96,12 @@ bool sane_mask(const RenderJob& job) {
     return true;
 }
 
+std::vector<std::string> overrides(const FrameCase& c, const Effort& effort) {
+    std::vector<std::string> set{fmt::format("xy_bits={}", effort.xy_bits())};
+    set.insert(set.end(), c.set.begin(), c.set.end());
+    return set;
+}
+
 void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
@@ -144,9 +150,16 @@ std::string frame_status(const std::string& text, const std::vector<std::string>
     }
 }
 
+Picture picture_of(const FrameCase& c, const Effort& effort) {
+    const LoadedScene scene = parse_scene(c.scene, "case", overrides(c, effort));
+    RenderJob job(scene.view(), scene.settings);
+    job.render();
+    const auto gray = job.bytes(Plane::picture);
+    return {scene.settings.machine.size_px(), {gray.begin(), gray.end()}};
+}
+
 Finding examine(const FrameCase& c, const Effort& effort) {
-    std::vector<std::string> set{fmt::format("xy_bits={}", effort.xy_bits())};
-    set.insert(set.end(), c.set.begin(), c.set.end());
+    const std::vector<std::string> set = overrides(c, effort);
     Finding f;
     f.status = frame_status(c.scene, set);
     if (f.status != "ok") {
