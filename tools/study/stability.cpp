@@ -13,7 +13,7 @@ namespace umbra78::tools::study {
 namespace {
 
 Case case_of(std::string_view name, std::string_view kind, std::string_view must) {
-    return {std::string(name), {}, {{"case", std::string(name)}, {"kind", std::string(kind)},
+    return {std::string(name), {}, {{"name", std::string(name)}, {"kind", std::string(kind)},
                                     {"must", std::string(must)}}};
 }
 
@@ -38,7 +38,7 @@ Value whole(const std::optional<std::int64_t>& v) { return v ? Value(*v) : Value
 
 Row row_of(const Finding& f) {
     Row row;
-    row.set("status", f.status);
+    row.set("machine_status", f.status);
     row.set("holds", f.holds ? "yes" : "no");
     row.set("observed", f.observed);
     row.set("error", f.error);
@@ -48,6 +48,7 @@ Row row_of(const Finding& f) {
     row.set("blocks", whole(f.blocks));
     row.set("unresolved", whole(f.unresolved));
     row.set("cycles", whole(f.cycles));
+    row.set("lost", whole(f.lost));
     row.set("far_codes", whole(f.far_codes));
     row.set("depth_error_units", f.depth_error_units);
     row.set("depth_error_quanta", f.depth_error_quanta);
@@ -55,6 +56,32 @@ Row row_of(const Finding& f) {
     row.set("false_light", f.false_light);
     row.set("onset", f.onset);
     return row;
+}
+
+// Frames in which there is something to see.
+struct Shown {
+    std::string_view name, file, caption;
+};
+constexpr Shown shown[] = {
+    {"grazing: 1 degree", "grazing_1_degree",
+     "A light one degree above the floor: a texel's length on it is 57 of them, and the floor's "
+     "shadow on itself is that of its own quanta."},
+    {"far/near 10000", "far_near_10000",
+     "A wall from 0.3 to 0.95 of far, with seven Z codes for the far half of the depths: shadow in "
+     "steps, and at the far edge the wall is lost behind the last code."},
+    {"a lamp behind half of the scene", "lamp_in_the_scene",
+     "A lamp in the scene that looks to the right: what is behind it has no quotient and is lit."},
+    {"a huge crumpled patch through the eye", "patch_through_the_eye",
+     "A folded patch 80 units wide with the eye inside: drawn to its end."},
+};
+
+// The row's frame drawn once more; its picture.
+void show(const Shown& s, const Effort& effort, Report& report) {
+    for (const FrameCase& c : frames()) {
+        if (c.name != s.name) continue;
+        const Picture picture = picture_of(c, effort);
+        report.picture(s.file, picture.size, picture.size, picture.gray, s.caption);
+    }
 }
 
 class Stability : public Study {
@@ -85,23 +112,23 @@ public:
 };
 
 std::vector<std::string> head_of_table() {
-    return {"case", "kind", "must hold", "holds", "status", "observed", "error", "bound", "unit"};
+    return {"case", "kind", "must hold", "holds", "machine's status", "observed", "error", "bound", "unit"};
 }
 
-void Stability::report(const Request&, std::span<const Row> rows, Report& report) const {
+void Stability::report(const Request& request, std::span<const Row> rows, Report& report) const {
     std::vector<std::vector<std::string>> table{head_of_table()}, limits{{"limit", "begins at"}};
     Series codes{"Z codes for the far half", {}, true, {}};
     std::int64_t red = 0;
     for (const Row& r : rows) {
-        table.push_back({r.text("case"), r.text("kind"), r.text("must"), r.text("holds"),
-                         r.text("status"), r.text("observed"), r.text("error"), r.text("bound"),
+        table.push_back({r.text("name"), r.text("kind"), r.text("must"), r.text("holds"),
+                         r.text("machine_status"), r.text("observed"), r.text("error"), r.text("bound"),
                          r.text("unit")});
-        if (r.text("kind") == "limit") limits.push_back({r.text("case"), r.text("onset")});
-        if (r.text("far_codes") != "" && r.text("case").starts_with("far/near"))
-            codes.points.emplace_back(std::stod(r.text("case").substr(9)), r.number("far_codes"));
+        if (r.text("kind") == "limit") limits.push_back({r.text("name"), r.text("onset")});
+        if (r.text("far_codes") != "" && r.text("name").starts_with("far/near"))
+            codes.points.emplace_back(std::stod(r.text("name").substr(9)), r.number("far_codes"));
         if (r.text("holds") != "yes") {
             ++red;
-            report.paragraph(fmt::format("Does not hold: {}: {}.", r.text("case"),
+            report.paragraph(fmt::format("Does not hold: {}: {}.", r.text("name"),
                                          r.text("observed")));
         }
     }
@@ -116,6 +143,7 @@ void Stability::report(const Request&, std::span<const Row> rows, Report& report
                      "codes", true, true, {codes}},
                     "A perspective Z spends its codes near the eye: of the 65 535, the far half "
                     "of the depths gets one in far / near of them.");
+    for (const Shown& s : shown) show(s, {request.quick}, report);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct Finding {
     double error = not_measured, bound = not_measured;  // in `unit`; the worst of its kind
     std::string unit;
     std::optional<std::int64_t> splits, blocks, unresolved, cycles;
+    std::optional<std::int64_t> lost;         // pixels truth sees, inside a surface, not drawn
     std::optional<std::int64_t> far_codes;    // Z codes used for the far half of the depths
     double depth_error_units = not_measured;  // of Z decoded, in world units
     double depth_error_quanta = not_measured;
@@ -55,7 +56,7 @@ struct FrameCase {
     std::string_view must;
     std::string scene;            // TOML
     std::vector<std::string> set{};
-    std::string_view status = "ok";
+    std::string_view status = "ok";  // or how a refusal must begin; beyond_last_code is told
     std::int64_t most_splits = 50000;
     bool far_half = false;        // measure Z's codes and error over the depths
 };
@@ -63,12 +64,18 @@ std::vector<FrameCase> stiff_frames();
 std::vector<FrameCase> extreme_frames();
 Finding examine(const FrameCase&, const Effort&);
 
+// The frame's picture with its shadows.
+struct Picture {
+    int size;
+    std::vector<std::uint8_t> gray;
+};
+Picture picture_of(const FrameCase&, const Effort&);
+
 // A magnitude 2^k, k = from .. to, that is raised or lowered until the machine refuses.
 struct LimitCase {
     std::string_view name, must;
     int from, to;                          // from is held, to is refused (or held, too)
     std::string (*status)(int k);          // "ok" or a name
-    std::string_view expected;             // the name it must be refused by; "ok": never
     std::string_view magnitude;            // what 2^k is
 };
 std::vector<LimitCase> limit_cases();

@@ -2,6 +2,8 @@
 //
 // The first refused k is found by bisection, and then every k is asked: what is refused once must
 // stay refused, and what is held must have the status ok.
+#include "tools/render_job.hpp"
+#include "tools/scene_file.hpp"
 #include "tools/study/stability.hpp"
 
 #include <fmt/format.h>
@@ -42,9 +44,19 @@ std::string far_over_near(int k, const char* bits) {
 }
 std::string far_over_near_16(int k) { return far_over_near(k, "16"); }
 std::string far_over_near_24(int k) { return far_over_near(k, "24"); }
+// A depth of nine tenths of far, where its code rounds behind the last: it is not drawn.
+std::string last_code(int k, int z_bits) {
+    const double ratio = std::ldexp(1.0, k);  // far / near, with near = 1
+    const double z = ((ratio + 1) * 0.9 * ratio - 2 * ratio) / ((ratio - 1) * 0.9 * ratio);
+    const double codes = std::ldexp(1.0, z_bits - 1);
+    return std::floor(codes + codes * z + 0.5) < 2 * codes ? "ok" : "beyond_last_code";
+}
+std::string last_code_16(int k) { return last_code(k, 16); }
+std::string last_code_24(int k) { return last_code(k, 24); }
 std::string bias(int k) { return asked({"bias=" + two_to(k)}); }
 std::string bias_in_world(int k) {
-    return asked({"bias=" + two_to(k), "bias_unit=world", "light.near=0", "light.far=" + two_to(-15)});
+    return asked({"bias=" + two_to(k), "bias_unit=world", "light.near=0",
+                  "light.far=" + two_to(-15)});
 }
 std::string place(int k) {
     std::string text(scene);
@@ -56,6 +68,17 @@ std::string lamp(int k) {
     text += fmt::format("position = [{}, 0.001, 0]\ntarget = [0, 0, 0]\n", two_to(k));
     return frame_status(text + "[[sphere]]\ncentre = [0, 0, 0]\nradius = 0.5\n", {});
 }
+// A square of 32 000 in a window of 2^k: 24 halvings a direction must bring it to 16 pixels.
+std::string halvings(int k) {
+    const std::vector<std::string> set{"light.extent=" + two_to(k)};
+    const LoadedScene wide = parse_scene(
+        "[observer]\ntarget = [0, 0, 0]\nextent = 2\n[light]\nazimuth = 0\ntarget = [0, 0, 0]\n"
+        "[[plane]]\norigin = [-16000, -16000, 1]\nu = [32000, 0, 0]\nv = [0, 32000, 0]\n",
+        "case", set);
+    RenderJob job(wide.view(), wide.settings);
+    job.draw_light();
+    return job.counts().light.unresolved == 0 ? "ok" : "unresolved";
+}
 std::string grazing(int k) {
     return asked({"light.azimuth=-90", "light.elevation=" + two_to(k)});
 }
@@ -63,26 +86,31 @@ std::string grazing(int k) {
 }  // namespace
 
 std::vector<LimitCase> limit_cases() {
-    constexpr std::string_view ever = "ok at every magnitude, or one name from one on";
+    constexpr std::string_view ever = "ok at every magnitude, or a name from one on";
     return {
-        {"limit: observer's extent, small", ever, 4, -16, observer_extent, "", "world units"},
-        {"limit: observer's extent, large", ever, 4, 15, observer_extent, "", "world units"},
-        {"limit: light's extent, small", ever, 4, -16, light_extent, "", "world units"},
-        {"limit: light's extent under an observer's of 2^14", ever, 14, -16, both_extents, "",
+        {"limit: observer's extent, small", ever, 4, -16, observer_extent, "world units"},
+        {"limit: observer's extent, large", ever, 4, 15, observer_extent, "world units"},
+        {"limit: light's extent, small", ever, 4, -16, light_extent, "world units"},
+        {"limit: light's extent under an observer's of 2^14", ever, 14, -16, both_extents,
          "world units"},
-        {"limit: the same, 4096 pixels, 24 bits", ever, 14, -16, both_extents_24, "",
+        {"limit: the same, 4096 pixels, 24 bits", ever, 14, -16, both_extents_24,
          "world units"},
-        {"limit: light's depth, small", ever, 4, -16, light_depth, "", "world units"},
-        {"limit: light's depth 1000 away, small", ever, 4, -16, shifted_depth, "", "world units"},
-        {"limit: far/near, 16-bit coefficients", ever, 1, 32, far_over_near_16, "", "far/near"},
-        {"limit: far/near, 24-bit coefficients", ever, 1, 32, far_over_near_24, "", "far/near"},
-        {"limit: bias in quanta", ever, 0, 26, bias, "", "quanta"},
-        {"limit: bias in world units, depth 2^-15", ever, 0, 26, bias_in_world, "",
+        {"limit: light's depth, small", ever, 4, -16, light_depth, "world units"},
+        {"limit: light's depth 1000 away, small", ever, 4, -16, shifted_depth, "world units"},
+        {"limit: far/near, 16-bit coefficients", ever, 1, 32, far_over_near_16, "far/near"},
+        {"limit: far/near, 24-bit coefficients", ever, 1, 32, far_over_near_24, "far/near"},
+        {"limit: far/near until 0.9 far is lost, 16-bit Z", ever, 1, 30, last_code_16,
+         "far/near"},
+        {"limit: far/near until 0.9 far is lost, 24-bit Z", ever, 1, 30, last_code_24,
+         "far/near"},
+        {"limit: bias in quanta", ever, 0, 26, bias, "quanta"},
+        {"limit: bias in world units, depth 2^-15", ever, 0, 26, bias_in_world,
          "world units"},
-        {"limit: a sphere's place", ever, 0, 16, place, "", "world units"},
-        {"limit: a lamp's distance, small", ever, 8, -16, lamp, "", "world units"},
-        {"limit: a lamp's distance, large", ever, 0, 16, lamp, "", "world units"},
-        {"limit: grazing elevation, small", ever, 3, -16, grazing, "", "degrees"},
+        {"limit: a sphere's place", ever, 0, 16, place, "world units"},
+        {"limit: a lamp's distance, small", ever, 8, -16, lamp, "world units"},
+        {"limit: a lamp's distance, large", ever, 0, 16, lamp, "world units"},
+        {"limit: a window in a scene of 32000", ever, 4, -16, halvings, "world units"},
+        {"limit: grazing elevation, small", ever, 3, -16, grazing, "degrees"},
     };
 }
 

@@ -1,7 +1,7 @@
 // The transform unit of a frame against its exact matrix, point by point.
 //
-//   affine        |error| <= 1/2 + sum_j |v_j| u_r / 2                     u_r: a row's coefficient LSB
-//   perspective   |error| <= 1/2 + (dN + |q| dW) / (W - dW)                dN, dW: those sums
+//   affine        |error| <= 1/2 + sum_j |v_j| u_r / 2              u_r: a row's coefficient LSB
+//   perspective   |error| <= 1/2 + (dN + |q| dW) / (W - dW)         dN, dW: those sums
 //
 // in LSB of the output. The exact side is in double precision; 2^-46 of the sum of magnitudes is
 // added for it, a thousandth of what 32-bit coefficients lose.

@@ -163,10 +163,10 @@ Finding whole_unit(const UnitsUnderTest&, const Effort& effort) {
             hw::MatrixWords m;
             m.affine = false;
             m.exponent = {31, -11, 0, k % 2 == 0 ? -11 : 31};  // as far apart as is loaded
-            for (int j = 0, rest = k; j < 4; ++j, rest /= 5)
+            auto rest = static_cast<std::size_t>(k);
+            for (std::size_t j = 0; j < 4; ++j, rest /= 5)
                 for (std::size_t r = 0; r < 4; ++r)
-                    m.word[r][static_cast<std::size_t>(j)] =
-                        static_cast<std::int32_t>(c[(static_cast<std::size_t>(rest) + r * (r + 1)) % 5]);
+                    m.word[r][j] = static_cast<std::int32_t>(c[(rest + r * (r + 1)) % 5]);
             const hw::TransformUnit unit(spec, m);
             for (std::size_t p = 0; p < 125; ++p) {
                 const hw::Words w{static_cast<std::int32_t>(v[p % 5]),

@@ -10,6 +10,8 @@ std::span<const std::unique_ptr<Study>> studies() {
         made.push_back(make_bias_study());
         made.push_back(make_widths_study());
         made.push_back(make_moire_study());
+        made.push_back(make_precision_study());
+        made.push_back(make_stability_study());
         return made;
     }();
     return all;
