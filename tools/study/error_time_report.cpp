@@ -134,6 +134,15 @@ std::string told(const Front& f, std::size_t k, std::span<const Row> all) {
                        f.point(k).second);
 }
 
+// Of the host's time.
+double median_spread(std::span<const Row> rows) {
+    std::vector<double> shares;
+    for (const Row& row : rows)
+        shares.push_back(row.number("spread_host_ms") / row.number("total_host_ms"));
+    std::sort(shares.begin(), shares.end());
+    return shares[shares.size() / 2];
+}
+
 void tell(const Front& f, std::span<const Row> all, Report& to) {
     std::string text = fmt::format("By the {}'s time and {}: for speed, {}",
                                    f.cost.name, f.error.label, told(f, 0, all));
@@ -147,6 +156,9 @@ void tell(const Front& f, std::span<const Row> all, Report& to) {
         text += fmt::format(". The front has {} settings of {}: each buys less error with more "
                             "time, and none is best for all.", f.front.size(), f.rows.size());
     }
+    if (std::string_view(f.cost.name) == "host")
+        text += fmt::format(" Runs of one setting differ by {:.1f} % of its time (median): costs "
+                            "nearer than that are equal.", 100 * median_spread(f.rows));
     to.paragraph(text);
     const auto answer = [&](std::size_t k) {
         return nlohmann::ordered_json{{"case", std::int64_t(f.row(k).number("case"))},

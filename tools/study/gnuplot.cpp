@@ -59,9 +59,12 @@ std::string log_range(char axis, const std::vector<Series>& series) {
         }
     if (!(least > 0)) return "";
     const double room = std::max(std::pow(greatest / least, 0.06), 1.02);
-    return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n"
-                       "set {0}tics add ({3}, {4})\nset format {0} '%.3g'\n",
-                       axis, least / room, greatest * room, least, greatest);
+    std::string text = fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\nset format {0} "
+                                   "'%.3g'\n", axis, least / room, greatest * room);
+    // With no power of ten or a single one on the axis, its ends are labelled.
+    if (greatest < 10 * least)
+        text += fmt::format("set {}tics add ({}, {})\n", axis, least, greatest);
+    return text;
 }
 
 constexpr std::array colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7",

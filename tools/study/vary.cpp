@@ -126,8 +126,11 @@ void check_vary(const Request& request) {
                 throw SceneError(fmt::format(
                     "--vary {}: it is given twice; write all its values in one --vary", key));
         for (const std::string& value : values) {
+            std::vector<std::string> set;
+            for (const auto& [other, first] : request.vary)
+                set.push_back(other + "=" + (other == key ? value : first.front()));
             try {
-                scene_of(request, {{}, {key + "=" + value}, {}});
+                scene_of(request, {{}, set, {}});
             } catch (const SceneError& error) {
                 std::string what = error.what();
                 if (what.starts_with("--set ")) what.replace(0, 6, "--vary ");

@@ -9,7 +9,8 @@ namespace umbra78::tools::study {
 // Commas between brackets belong to the value. Throws SceneError, one line with the remedy.
 Axis parse_vary(const std::string& text);
 
-// That the scene takes each value by itself. Throws SceneError, one line.
+// That the scene takes each value, beside the first values of the other keys: a perspective view
+// needs its distance. Throws SceneError, one line.
 void check_vary(const Request&);
 
 }  // namespace umbra78::tools::study
