@@ -112,7 +112,8 @@ public:
 };
 
 std::vector<std::string> head_of_table() {
-    return {"case", "kind", "must hold", "holds", "machine's status", "observed", "error", "bound", "unit"};
+    return {"case",     "kind",  "must hold", "holds", "machine's status",
+            "observed", "error", "bound",     "unit"};
 }
 
 void Stability::report(const Request& request, std::span<const Row> rows, Report& report) const {
