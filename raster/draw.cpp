@@ -9,6 +9,9 @@ namespace {
 
 using fixed::Rounding;
 
+// The greatest raster word is 2^55: its corrections and their bounds are up to 144 times that.
+constexpr int raster_bits = 55;
+
 template <std::size_t N>
 std::array<Component, N> first(const std::array<Component, 4>& c) {
     std::array<Component, N> out;
@@ -58,7 +61,17 @@ hw::WordFormat object_words(std::span<const Patch> patches) {
 
 hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
                          MatrixWords& out) {
-    return hw::load_matrix(world_to_screen(view, spec), spec, object, out);
+    const hw::LoadStatus status =
+        hw::load_matrix(world_to_screen(view, spec), spec, object, out);
+    if (status != hw::LoadStatus::ok || !out.affine) return status;
+    for (const hw::Row row : {hw::Row::x, hw::Row::y, hw::Row::z}) {
+        const int fraction = row == hw::Row::z ? spec.depth_fraction() + depth_guard(spec)
+                                               : raster_fraction;
+        const int bits = object.bits + spec.coefficient_bits -
+                         hw::affine_shift(out, row, spec, object, fraction);
+        if (bits > raster_bits) return hw::LoadStatus::exponent_out_of_range;
+    }
+    return status;
 }
 
 Toward toward_viewer(const View& view, WordFormat object) { return toward_eye(view, object); }

@@ -112,7 +112,8 @@ public:
 };
 
 std::vector<std::string> head_of_table() {
-    return {"case", "kind", "must hold", "holds", "machine's status", "observed", "error", "bound", "unit"};
+    return {"case",     "kind",  "must hold", "holds", "machine's status",
+            "observed", "error", "bound",     "unit"};
 }
 
 void Stability::report(const Request& request, std::span<const Row> rows, Report& report) const {
@@ -121,8 +122,8 @@ void Stability::report(const Request& request, std::span<const Row> rows, Report
     std::int64_t red = 0;
     for (const Row& r : rows) {
         table.push_back({r.text("name"), r.text("kind"), r.text("must"), r.text("holds"),
-                         r.text("machine_status"), r.text("observed"), r.text("error"), r.text("bound"),
-                         r.text("unit")});
+                         r.text("machine_status"), r.text("observed"), r.text("error"),
+                         r.text("bound"), r.text("unit")});
         if (r.text("kind") == "limit") limits.push_back({r.text("name"), r.text("onset")});
         if (r.text("far_codes") != "" && r.text("name").starts_with("far/near"))
             codes.points.emplace_back(std::stod(r.text("name").substr(9)), r.number("far_codes"));

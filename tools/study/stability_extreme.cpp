@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace umbra78::tools::study {
 namespace {
@@ -101,6 +102,13 @@ std::vector<FrameCase> surfaces() {
     add("depth 2^-16 about a scene of 30000", "the greatest Z coefficient",
         view + "[[plane]]\norigin = [-16000, -16000, 1]\nu = [32000, 0, 0]\nv = [0, 32000, 3000]\n",
         {"observer.near=100", "observer.far=100.0000152587890625"});
+    add("a crumpled scene of 30000 in a depth of 2^-14, 24-bit Z",
+        "refused by name: raster words and their corrections would be beyond 64 bits",
+        view + patch(net(32000, 0, [](auto& p, double u, double v) {
+            p[2] = (std::lround(3 * u) + std::lround(3 * v)) % 2 ? 32000 : -32000;
+        })),
+        {"z_bits=24", "xy_bits=4", "observer.near=131067", "observer.far=131067.00006103515625"});
+    all.back().status = "refused: case: the observer's matrix";
     all.push_back({"empty scene", "extreme", "refused by name, or an empty frame", view, {},
                    "", 0});
     add("only background", "nothing transformed, nothing in shadow",

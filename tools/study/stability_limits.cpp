@@ -79,6 +79,21 @@ std::string halvings(int k) {
     job.draw_light();
     return job.counts().light.unresolved == 0 ? "ok" : "unresolved";
 }
+// A patch crumpled over 32 000, whose corrections are the greatest there are.
+std::string depth_of_a_crumpled(int k) {
+    std::string text =
+        "[observer]\ntarget = [0, 0, 0]\nextent = 2\n[light]\nazimuth = 0\ntarget = [0, 0, 0]\n"
+        "extent = 2\n[[patch]]\ncontrol = [";
+    for (int row = 0; row < 4; ++row) {
+        text += "[";
+        for (int i = 0; i < 4; ++i)
+            text += fmt::format("[{0}, {0}, {0}], ", (i + row) % 2 == 0 ? 32766 : -32766);
+        text += "], ";
+    }
+    return frame_status(text + "]\n",
+                        {"z_bits=24", "xy_bits=4", "observer.near=131000",
+                         fmt::format("observer.far={:.17g}", 131000 + std::ldexp(1.0, k))});
+}
 std::string grazing(int k) {
     return asked({"light.azimuth=-90", "light.elevation=" + two_to(k)});
 }
@@ -110,6 +125,8 @@ std::vector<LimitCase> limit_cases() {
         {"limit: a lamp's distance, small", ever, 8, -16, lamp, "world units"},
         {"limit: a lamp's distance, large", ever, 0, 16, lamp, "world units"},
         {"limit: a window in a scene of 32000", ever, 4, -16, halvings, "world units"},
+        {"limit: depth under a crumpled scene, 24-bit Z, 16 px", ever, 6, -16,
+         depth_of_a_crumpled, "world units"},
         {"limit: grazing elevation, small", ever, 3, -16, grazing, "degrees"},
     };
 }
