@@ -66,6 +66,8 @@ TEST(Fisher, HasThePointsOfTheTable) {
     // One or two ordinates by hand: the only one's share is all; the greater of two is uniform.
     EXPECT_EQ(fisher_p(0.9, 1), 1);
     EXPECT_NEAR(fisher_p(0.75, 2), 0.5, 1e-12);
+    // Of three: 3 (1 - g)^2 - 3 (1 - 2 g)^2.
+    EXPECT_NEAR(fisher_p(0.4, 3), 0.96, 1e-12);
     EXPECT_EQ(fisher_p(0, 10), 1);
     EXPECT_EQ(fisher_p(1e-5, 32000), 1);
 }

@@ -14,8 +14,8 @@ namespace {
 using shadow::Lookup;
 
 // The plane z = 0, seen along z and lit from 30 degrees aside.
-Request plane_lit_aslant() {
-    return request_of(R"([light]
+Request plane_lit_aslant(const std::string& elevation = "0") {
+    return request_of("[light]\nelevation = " + elevation + R"(
 azimuth = 30
 extent  = 4
 near    = -8
@@ -64,16 +64,21 @@ TEST(BiasBound, ForAShareLeavesOutTheSteepest) {
     EXPECT_TRUE(std::isnan(bias_bound_for(0, slope, std::vector<std::uint8_t>(1000), {}, {})));
 }
 
-// Its slope is tan 30 along the light's X, and none along Y.
+// With the light at azimuth a and elevation b the normal (0, 0, 1) is -sin a along the light's X,
+// -cos a sin b along its Y, and cos a cos b toward it.
 TEST(Traced, KnowsAPlanesSlopeInTheLightsSpace) {
-    const Request request = plane_lit_aslant();
-    const TruthStore truths;
-    const auto traced = truths.of(request.scene);
-    const double texel = 8.0 / 256, range = 16;
-    const double expected = std::tan(30 * 3.14159265358979 / 180) * texel / range;
-    for (const std::size_t at : {0u, 128u * 256 + 128, 256u * 256 - 1})
-        EXPECT_NEAR(traced->slope[at] / expected, 1, 1e-6) << at;
-    EXPECT_EQ(truths.of(request.scene), traced) << "traced once";
+    const double degree = std::acos(-1.0) / 180, a = 30 * degree;
+    for (const int elevation : {0, 20}) {
+        const Request request = plane_lit_aslant(std::to_string(elevation));
+        const double b = elevation * degree, texel = 8.0 / 256, range = 16;
+        const double sum =
+            (std::sin(a) + std::cos(a) * std::sin(b)) / (std::cos(a) * std::cos(b));
+        const TruthStore truths;
+        const auto traced = truths.of(request.scene);
+        for (const std::size_t at : {0u, 128u * 256 + 128, 256u * 256 - 1})
+            EXPECT_NEAR(traced->slope[at] / (sum * texel / range), 1, 1e-6) << at;
+        EXPECT_EQ(truths.of(request.scene), traced) << "traced once";
+    }
 }
 
 // On a plane the bound is the whole truth: at it no pixel is in false shadow, and the least bias

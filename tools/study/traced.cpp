@@ -1,8 +1,7 @@
 #include "tools/study/traced.hpp"
 
 #include "shadow/bias.hpp"
-
-#include <fmt/format.h>
+#include "tools/study/truth_cache.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,32 +9,6 @@
 
 namespace umbra78::tools::study {
 namespace {
-
-void add(std::string& key, const raster::View& v) {
-    key += fmt::format("view {} {} {} {} {} {} {}", static_cast<int>(v.projection), v.extent,
-                       v.distance, v.near_depth, v.far_depth, v.target.x, v.target.y);
-    key += fmt::format(" {}", v.target.z);
-    for (const raster::Axis* axis : {&v.frame.right, &v.frame.up, &v.frame.back})
-        for (const std::int32_t word : *axis) key += fmt::format(" {}", word);
-}
-
-void add(std::string& key, const raster::World& w) {
-    key += fmt::format(" {} {} {}", w.x, w.y, w.z);
-}
-
-// All that truth depends on, as text.
-std::string key_of(const LoadedScene& scene) {
-    std::string key = fmt::format("{} ", scene.settings.machine.xy_bits);
-    add(key, scene.observer);
-    add(key, scene.light);
-    for (const raster::Sphere& s : scene.spheres) {
-        add(key, s.centre);
-        key += fmt::format(" r {}", s.radius);
-    }
-    for (const raster::Plane& p : scene.planes)
-        for (const raster::World* w : {&p.origin, &p.u, &p.v}) add(key, *w);
-    return key;
-}
 
 // How far along the ray the last crossing before the light is.
 double last_crossing(const TruthScene& scene, const Ray& ray, double reach) {
@@ -126,7 +99,7 @@ std::shared_ptr<const Traced> TruthStore::of(const LoadedScene& scene) const {
     bool first = false;
     {
         const std::lock_guard lock(mutex_);
-        const auto [place, added] = entries_.try_emplace(key_of(scene));
+        const auto [place, added] = entries_.try_emplace(truth_key(scene));
         if (added) place->second = promise.get_future().share();
         first = added;
         entry = place->second;

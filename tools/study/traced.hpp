@@ -1,6 +1,7 @@
 // A scene's truth for a study: traced once, shared by all cases that see it the same way.
 //
-// Cases differ in settings; truth depends on the scene, its two views and the resolution alone.
+// Like TruthCache, by the same key, and with what bias and gap are measured by: per pixel, the
+// surface's slope in the light's space and how far it is behind its caster.
 // Safe to call from several threads: the first to ask traces, the others wait.
 #pragma once
 
