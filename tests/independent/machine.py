@@ -3,7 +3,8 @@
 
 It was written from MACHINE.md alone, by someone who had not seen the project's code (except for
 section 18, whose author had), to find out whether that document suffices.  It draws the observer's
-and the light's view of section 15's scene, computes the buffers of the figures and compares their hashes with those MACHINE.md lists.
+and the light's view of section 15's scene, computes the buffers of the figures and compares their
+hashes with those MACHINE.md lists.
 Only what the figures use is here: orthographic views, the machine of 1978, the default settings.
 Its sections are the document's, beside which it should be read.  It takes about half a minute.
 
