@@ -8,6 +8,8 @@
 #include "tests/shadow/slow_lookup.hpp"
 #include "tests/shadow/slow_replay.hpp"
 
+#include "tests/support/effort.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +73,7 @@ Settings random_timing(Random& random, Settings s) {
 TEST(MemoryReplay, IsTheModelOfSingleClocks) {
     Random random;
     std::uint64_t looked_up = 0, hidden = 0, shown = 0;
-    for (int round = 0; round < 150; ++round) {
+    for (int round = 0; round < umbra78::test::effort(150); ++round) {
         Settings s = random_timing(random, test::random_settings(random, false));
         s.machine.xy_bits = static_cast<int>(random.between(4, 5));
         const hw::MachineSpec& m = s.machine;
@@ -118,7 +120,7 @@ TEST(MemoryReplay, IsTheModelOfSingleClocks) {
 // A memory quicker than the clock is the ideal one, whatever is stolen from it.
 TEST(MemoryReplay, QuickMemoryIsIdealExactly) {
     Random random;
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < umbra78::test::effort(60); ++round) {
         Settings s = random_timing(random, test::random_settings(random, false));
         s.timing.dram.access_ns = s.timing.dram.cycle_ns = 1;
         s.timing.dram.column_ns = 1;
@@ -169,7 +171,7 @@ TEST(MemoryReplay, IdealTotalsAreTheClosedForm) {
 TEST(LookupTexels, AreThoseTheComparisonReads) {
     Random random;
     std::uint64_t four = 0, fewer = 0, none = 0;
-    for (int round = 0; round < 4000; ++round) {
+    for (int round = 0; round < umbra78::test::effort(4000); ++round) {
         Settings s = test::random_settings(random, false);
         s.machine.xy_bits = 4;
         const hw::MachineSpec& m = s.machine;
