@@ -99,7 +99,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
                t.total_ms(), t.light_ms, t.observer_ms, t.post_process_ms, t.filters_ms);
     if (!rendered.error) {
         fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth"
-                                                : "free patches have no closed form");
+                                                : "free patches: built without Embree");
         return;
     }
     const ShadowReport& error = *rendered.error;

@@ -1,6 +1,10 @@
 #include "tools/scene_truth.hpp"
 
+#include "tools/patch_truth.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace umbra78::tools {
 namespace {
@@ -30,6 +34,19 @@ TruthLight truth_light(const raster::View& light) {
     return {point, back, along(real(light.target), point ? q16(light.distance) : 0, back)};
 }
 
+// The surfaces by their patches: TruthScene's numbers, then the free patches'.
+std::optional<PatchTruth> patch_truth(const LoadedScene& scene, const SceneTruth& views) {
+    auto made = trace_patches(scene.patches, views.observer, views.light);
+    if (!made) return made;
+    const auto spheres = static_cast<std::int32_t>(scene.spheres.size());
+    const std::int32_t of_spheres = spheres * raster::patches_per_sphere;
+    for (std::int32_t& surface : made->truth.surface)
+        if (surface != no_surface)
+            surface = surface < of_spheres ? surface / raster::patches_per_sphere
+                                           : surface - of_spheres + spheres;
+    return made;
+}
+
 }  // namespace
 
 TruthView truth_view(const raster::View& view, int size_px) {
@@ -44,11 +61,18 @@ TruthView truth_view(const raster::View& view, int size_px) {
 }
 
 std::optional<SceneTruth> trace(const LoadedScene& scene) {
-    if (scene.free_patches > 0) return std::nullopt;
     const int size = scene.settings.machine.size_px();
     SceneTruth made{truth_scene(scene), truth_view(scene.observer, size),
                     truth_view(scene.light, size), truth_light(scene.light), {}, {}};
-    made.truth = trace(made.scene, made.observer, made.light);
+    if (scene.free_patches > 0) {
+        auto traced = patch_truth(scene, made);
+        if (!traced) return std::nullopt;
+        made.closed_form = false;
+        made.tessellation_error = traced->estimated_error;
+        made.truth = std::move(traced->truth);
+    } else {
+        made.truth = trace(made.scene, made.observer, made.light);
+    }
     const auto spheres = static_cast<std::int32_t>(scene.spheres.size());
     made.unlit_side.resize(made.truth.visible.size());
     for (std::size_t at = 0; at < made.unlit_side.size(); ++at)
@@ -61,7 +85,12 @@ double filter_radius_px(const shadow::Settings& settings) {
 }
 
 Band light_texel_band(const SceneTruth& truth) {
-    Band band = light_texel_band(truth.scene, truth.light, truth.light_view, truth.truth, 0);
+    // Points of free patches do not slide over their surface: the band is then as wide on either
+    // side of every edge as a light texel is seen at the views' targets, facing both.
+    const double texel_px = truth.light_view.pixel() / truth.observer.pixel();
+    Band band = truth.closed_form ? light_texel_band(truth.scene, truth.light, truth.light_view,
+                                                     truth.truth, 0)
+                                  : edge_band(truth.truth, std::max(1.0, texel_px));
     for (std::size_t at = 0; at < band.size(); ++at) band[at] |= truth.unlit_side[at];
     return band;
 }

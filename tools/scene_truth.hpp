@@ -1,7 +1,7 @@
 // A loaded scene's truth, and how far a drawn mask is from it.
 //
-// Spheres and planes have a closed form; a scene with free patches has none, and no errors are
-// given for it.
+// Spheres and planes have a closed form. A scene with free patches has none: its truth is traced
+// by tools/patch_truth.hpp, and no errors are given for it where that is left out.
 #pragma once
 
 #include "tools/metrics.hpp"
@@ -16,11 +16,15 @@ struct SceneTruth {
     TruthView observer, light_view;
     TruthLight light;
     Truth truth;
-    // Pixels of a plane seen from its unlit side: dark by its shading, whatever the mask says.
+    // Pixels of a plane or a free patch seen from its unlit side: dark by its shading, whatever
+    // the mask says.
     std::vector<std::uint8_t> unlit_side;
+    bool closed_form = true;        // otherwise `scene` holds the spheres and planes only
+    double tessellation_error = 0;  // PatchTruth's estimate
 };
 
-// Traced at the settings' resolution; nothing for a scene with free patches.
+// Traced at the settings' resolution; nothing for a scene with free patches without
+// Embree.
 std::optional<SceneTruth> trace(const LoadedScene&);
 
 TruthView truth_view(const raster::View&, int size_px);

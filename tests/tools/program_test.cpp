@@ -2,6 +2,7 @@
 #include "shadow/profiles.hpp"
 #include "tests/tools/program.hpp"
 #include "tools/figure_set.hpp"
+#include "tools/patch_truth.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -162,11 +163,13 @@ TEST_F(Program, RenderNamesThePictureAfterTheScene) {
     EXPECT_EQ(files(), (std::vector<std::string>{"one.png", "one.toml"}));
 }
 
-TEST_F(Program, ASceneWithPatchesHasNoClosedForm) {
+TEST_F(Program, ASceneWithFreePatchesHasErrorsIfBuiltWithEmbree) {
     const Ran ran = run("render " UMBRA78_SOURCE_DIR "/tools/scenes/lamp.toml --set xy_bits=7");
     EXPECT_EQ(ran.exit_code, 0);
     EXPECT_EQ(ran.err, "");
-    EXPECT_NE(ran.out.find("error       n/a (free patches have no closed form)\n"),
+    EXPECT_NE(ran.out.find(traces_patches() ? "error       false shadow "
+                                            : "error       n/a (free patches: built without "
+                                              "Embree)\n"),
               std::string::npos) << ran.out;
 }
 

@@ -16,7 +16,7 @@ namespace umbra78::tools::study {
 class TruthCache {
 public:
     struct Entry {
-        std::optional<SceneTruth> truth;  // none for a scene with free patches
+        std::optional<SceneTruth> truth;  // none: free patches without Embree
         Band band;                        // one light texel mapped back, no filter's reach
     };
     // By surfaces, views and resolution: nothing else of a case changes the truth.
