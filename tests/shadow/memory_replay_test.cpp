@@ -112,9 +112,9 @@ TEST(MemoryReplay, IsTheModelOfSingleClocks) {
         hidden += got.total_ns == got.ideal_ns;
         shown += got.total_ns > got.ideal_ns;
     }
-    EXPECT_GT(looked_up, 5000u);
+    EXPECT_GT(looked_up, std::uint64_t(umbra78::test::effort(4000)));
     EXPECT_GT(hidden, 0u);
-    EXPECT_GT(shown, 50u);
+    EXPECT_GT(shown, std::uint64_t(umbra78::test::effort(50)));
 }
 
 // A memory quicker than the clock is the ideal one, whatever is stolen from it.
@@ -199,9 +199,9 @@ TEST(LookupTexels, AreThoseTheComparisonReads) {
         fewer += !one && texels.count != 0 && texels.count < 4;
         none += texels.count == 0;
     }
-    EXPECT_GT(four, 500u);
-    EXPECT_GT(fewer, 50u) << "at the map's edge";
-    EXPECT_GT(none, 500u);
+    EXPECT_GT(four, std::uint64_t(umbra78::test::effort(500)));
+    EXPECT_GT(fewer, std::uint64_t(umbra78::test::effort(50))) << "at the map's edge";
+    EXPECT_GT(none, std::uint64_t(umbra78::test::effort(500)));
 }
 
 // The figures' frame: what depends on settings and addresses does so, what must not does not.

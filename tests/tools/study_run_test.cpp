@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 using test::Program;
 using test::Ran;
 
-// The study at 64 x 64 pixels: 16 cases in a moment.
-const std::string small = "study error-time --quick --no-host-times --vary xy_bits=6 "
+// The study at 32 x 32 pixels: 16 cases in a moment.
+const std::string small = "study error-time --quick --no-host-times --vary xy_bits=5 "
                           "--vary bias=0.5,1.5 --vary bias_unit=texels ";
 
 struct Study : Program {
@@ -62,7 +62,7 @@ TEST_F(Study, LeavesItsFilesAndNoOthers) {
     const std::string& csv = files.at("error-time.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 17);
     EXPECT_EQ(csv.find("_host_ms"), std::string::npos);
-    const auto json = nlohmann::json::parse(files.at("error-time.json"));
+    const auto json = parse_json(files.at("error-time.json"));
     EXPECT_EQ(json["cases"], 16);
     EXPECT_EQ(json["failed_cases"], 0);
     EXPECT_FALSE(json["answers"].empty());
@@ -172,7 +172,7 @@ TEST_F(Study, VerifyFindsAPlantedFigure) {
     write("a/error-time.csv", csv);
     const Ran wrong = run("study verify a/error-time.csv --sample 100");
     EXPECT_EQ(wrong.exit_code, 1);
-    EXPECT_EQ(wrong.out.find("a/error-time.csv: case 5: mask_hash is u8:64x64:fnv1a64:"), 0u);
+    EXPECT_EQ(wrong.out.find("a/error-time.csv: case 5: mask_hash is u8:32x32:fnv1a64:"), 0u);
     EXPECT_EQ(std::count(wrong.out.begin(), wrong.out.end(), '\n'), 1) << wrong.out;
 }
 
