@@ -1,12 +1,12 @@
 // umbra78 animate: a sequence of pictures as the light or the observer goes round the scene.
 #include "tools/azimuth_sweep.hpp"
+#include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 #include "tools/frame_manifest.hpp"
 #include "tools/plan_words.hpp"
 #include "tools/report.hpp"
 #include "tools/toml_text.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -232,32 +232,21 @@ void run(const Options& options) {
 
 void add_animate_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "animate", "Render a sequence: the light or the observer goes round, or both");
-    command->add_option("scene", options->scene, "Scene file (TOML)")
-        ->type_name("FILE")
-        ->required();
-    command->add_option("--frames", options->frames, "How many")
-        ->type_name("N")
-        ->check(CLI::Range(1, 9999))
-        ->required();
-    command->add_option("--light", options->light, "The light's azimuth, from A to B degrees")
-        ->type_name("A:B");
-    command->add_option("--observer", options->observer, "The observer's, likewise")
-        ->type_name("A:B");
-    command
-        ->add_option("--out", options->out,
-                     "Folder for frame_0001.png ... and frames.json; default: the scene's name, "
-                     "here. Frames of the same inputs that are there are not drawn again")
-        ->type_name("DIR");
-    command->add_option("--set", options->set, "key=value: a setting, observer.KEY or light.KEY")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);  // one value a --set, so that the scene may follow
-    command->add_flag("--json", options->json, "Print JSON instead of text");
-    command->footer("Settings are those of umbra78 render --help.\n\nExample:\n"
-                    "  umbra78 animate tools/scenes/figures.toml --frames 60 --light -100:80 "
-                    "--out out");
-    command->callback([options] { run(*options); });
+    Command command(app, "animate",
+                    "Render a sequence: the light or the observer goes round, or both");
+    command.scene(options->scene);
+    command.number("--frames", options->frames, "N", "How many").range(1, 9999).required();
+    command.text("--light", options->light, "A:B", "The light's azimuth, from A to B degrees");
+    command.text("--observer", options->observer, "A:B", "The observer's, likewise");
+    command.text("--out", options->out, "DIR",
+                 "Folder for frame_0001.png ... and frames.json; default: the scene's name, here. "
+                 "Frames of the same inputs that are there are not drawn again");
+    command.set(options->set);
+    command.json(options->json);
+    command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"
+                   "  umbra78 animate tools/scenes/figures.toml --frames 60 --light -100:80 "
+                   "--out out");
+    command.runs([options] { run(*options); });
 }
 
 }  // namespace umbra78::tools

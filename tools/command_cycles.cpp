@@ -1,4 +1,5 @@
 // umbra78 cycles: where a frame's cycles go, on a machine of the time.
+#include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 #include "tools/array_report.hpp"
 #include "tools/cycle_report.hpp"
@@ -10,7 +11,6 @@
 #include "tools/vcd.hpp"
 #include "tools/waterfall.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -101,29 +101,22 @@ void run(const Options& options) {
 
 void add_cycles_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("cycles", "Where a frame's cycles go, on a machine of the time");
+    Command command(app, "cycles", "Where a frame's cycles go, on a machine of the time");
+    command.text("scene", options->scene, "FILE",
+                 "Scene file (TOML); without one, figures 1 to 6 by every profile");
+    const Argument profile = command.text("--profile", options->profile, "PROFILE",
+                                          "A machine: see umbra78 settings");
+    const Argument all =
+        command.flag("--all", options->all, "A row for each profile").excludes(profile);
+    command.set(options->set);
     command
-        ->add_option("scene", options->scene,
-                     "Scene file (TOML); without one, figures 1 to 6 by every profile")
-        ->type_name("FILE");
-    CLI::Option* profile =
-        command->add_option("--profile", options->profile, "A machine: see umbra78 settings")
-            ->type_name("PROFILE");
-    CLI::Option* all = command->add_flag("--all", options->all, "A row for each profile");
-    all->excludes(profile);
-    command->add_option("--set", options->set, "key=value, as for umbra78 render")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    command
-        ->add_option("--vcd", options->vcd,
-                     "Write the machine's first cycles as a value change dump, for a waveform "
-                     "viewer such as GTKWave")
-        ->type_name("FILE")
-        ->excludes(all);
-    command->add_flag("--json", options->json, "Print JSON instead of text");
-    command->footer("Example:\n  umbra78 cycles tools/scenes/figures.toml --profile affine16x1");
-    command->callback([options] { run(*options); });
+        .text("--vcd", options->vcd, "FILE",
+              "Write the machine's first cycles as a value change dump, for a waveform viewer "
+              "such as GTKWave")
+        .excludes(all);
+    command.json(options->json);
+    command.footer("Example:\n  umbra78 cycles tools/scenes/figures.toml --profile affine16x1");
+    command.runs([options] { run(*options); });
 }
 
 }  // namespace umbra78::tools

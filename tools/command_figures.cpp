@@ -1,11 +1,11 @@
 // umbra78 figures: figures 1 to 6, their errors and their cost, held to the goldens.
+#include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 #include "tools/figure_studies.hpp"
 #include "tools/goldens.hpp"
 #include "tools/settings_text.hpp"
 #include "tools/sheet.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -177,21 +177,16 @@ void run(const Options& options, int& exit_code) {
 
 void add_figures_command(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("figures", "Draw figures 1 to 6 of Williams 1978");
-    command->add_option("--out", options->out, "Folder for the pictures")
-        ->type_name("DIR")
-        ->capture_default_str();
-    command->add_option("--goldens", options->goldens, "Folder of the goldens")
-        ->type_name("DIR")
-        ->capture_default_str();
-    auto* check = command->add_flag("--check", options->check,
-                                    "Compare every stage's buffer with its golden; exit 1 if one "
-                                    "differs");
-    command->add_flag("--bless", options->bless, "Make what was drawn the goldens")
-        ->excludes(check);
-    command->add_flag("--json", options->json, "Print figures.json instead of the table");
-    command->footer("Example:\n  umbra78 figures --out out --check");
-    command->callback([options, &exit_code] { run(*options, exit_code); });
+    Command command(app, "figures", "Draw figures 1 to 6 of Williams 1978");
+    command.text("--out", options->out, "DIR", "Folder for the pictures").default_shown();
+    command.text("--goldens", options->goldens, "DIR", "Folder of the goldens").default_shown();
+    const Argument check = command.flag(
+        "--check", options->check,
+        "Compare every stage's buffer with its golden; exit 1 if one differs");
+    command.flag("--bless", options->bless, "Make what was drawn the goldens").excludes(check);
+    command.flag("--json", options->json, "Print figures.json instead of the table");
+    command.footer("Example:\n  umbra78 figures --out out --check");
+    command.runs([options, &exit_code] { run(*options, exit_code); });
 }
 
 }  // namespace umbra78::tools

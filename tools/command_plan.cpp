@@ -1,9 +1,9 @@
 // umbra78 plan: what a frame of a scene needs, what is left out, why, and the cycles that saves.
+#include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 #include "tools/plan_words.hpp"
 #include "tools/report.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -144,18 +144,14 @@ void run(const Options& options) {
 
 void add_plan_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "plan", "Print what a frame needs, what is left out, why, and the cycles that saves");
-    command->add_option("scene", options->scene, "Scene file (TOML)")
-        ->type_name("FILE")
-        ->required();
-    command->add_option("--set", options->set, "key=value: a setting, observer.KEY or light.KEY")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);  // one value a --set, so that the scene may follow
-    command->add_flag("--json", options->json, "Print JSON instead of text");
-    command->footer("Settings are those of umbra78 render --help.\n\nExample:\n"
-                    "  umbra78 plan tools/scenes/figures.toml --set dither=none");
-    command->callback([options] { run(*options); });
+    Command command(app, "plan",
+                    "Print what a frame needs, what is left out, why, and the cycles that saves");
+    command.scene(options->scene);
+    command.set(options->set);
+    command.json(options->json);
+    command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"
+                   "  umbra78 plan tools/scenes/figures.toml --set dither=none");
+    command.runs([options] { run(*options); });
 }
 
 }  // namespace umbra78::tools

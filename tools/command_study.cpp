@@ -1,11 +1,11 @@
 // umbra78 study: a question put to the machine as a table of cases.
+#include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 #include "tools/report.hpp"
 #include "tools/study/study_files.hpp"
 #include "tools/study/vary.hpp"
 #include "tools/study/verify.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <fstream>
@@ -22,7 +22,7 @@ struct Options {
     std::string scene, out, shard;
     std::vector<std::string> vary, parts;
     int jobs = 0;
-    std::size_t sample = 8;
+    std::uint64_t sample = 8;
     bool quick = false, automatic = false, no_host_times = false, json = false;
 };
 
@@ -76,66 +76,55 @@ void run(const Study& study, const Options& options) {
     print_done(run_study(asked, how, folder, !options.shard.empty()), options.json);
 }
 
-void add_study(CLI::App& at, const Study& study) {
+void add_study(const Command& above, const Study& study) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = at.add_subcommand(std::string(study.name()), std::string(study.meaning()));
-    command
-        ->add_option("scene", options->scene, "Scene file (TOML); without one, the paper's scene")
-        ->type_name("FILE");
-    command
-        ->add_option("--vary", options->vary,
-                     "key=first:last:step or key=value,value: a setting, profile, observer.KEY or "
-                     "light.KEY; in place of the study's values of that key")
-        ->type_name("KEY=VALUES")
-        ->allow_extra_args(false);
-    command
-        ->add_option("--out", options->out,
-                     fmt::format("Folder for the files; default: out/{}", study.name()))
-        ->type_name("DIR");
-    command->add_flag("--quick", options->quick, "A small grid: seconds");
-    command->add_option("--jobs", options->jobs, "Cases at a time; default: as many as cores")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
-    command
-        ->add_option("--shard", options->shard,
-                     "Run the i-th of n parts, for umbra78 study merge, on this computer or others")
-        ->type_name("I/N");
-    command->add_flag("--auto", options->automatic, "Print the answer for the scene");
-    command->add_flag("--no-host-times", options->no_host_times,
-                      "Leave out the columns that end in _host_ms: the same files every time");
-    command->add_flag("--json", options->json, "Print the summary as JSON instead of text");
-    command->footer(fmt::format("Example:\n  umbra78 study {} --quick --out out/{}", study.name(),
-                                study.name()));
-    command->callback([options, &study] { run(study, *options); });
+    const std::string name(study.name());
+    Command command(above, name, std::string(study.meaning()));
+    if (study.takes().scene) {
+        command.text("scene", options->scene, "FILE",
+                     "Scene file (TOML); without one, the paper's scene");
+        command.texts("--vary", options->vary, "KEY=VALUES",
+                      "key=first:last:step or key=value,value: a setting, profile, observer.KEY or "
+                      "light.KEY; in place of the study's values of that key");
+    }
+    command.text("--out", options->out, "DIR", "Folder for the files; default: out/" + name);
+    command.flag("--quick", options->quick, "A small grid: seconds");
+    command.number("--jobs", options->jobs, "N", "Cases at a time; default: as many as cores")
+        .range(1, 1024);
+    command.text("--shard", options->shard, "I/N",
+                 "Run the i-th of n parts, for umbra78 study merge, on this computer or others");
+    if (study.takes().automatic)
+        command.flag("--auto", options->automatic, "Print the answer for the scene");
+    command.flag("--no-host-times", options->no_host_times,
+                 "Leave out the columns that end in _host_ms: the same files every time");
+    command.flag("--json", options->json, "Print the summary as JSON instead of text");
+    command.footer(fmt::format("Example:\n  umbra78 study {0} --quick --out out/{0}", name));
+    command.runs([options, &study] { run(study, *options); });
 }
 
-void add_merge(CLI::App& at) {
+void add_merge(const Command& above) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = at.add_subcommand("merge", "Make the files of a study from its parts");
-    command->add_option("out", options->out, "Folder for the files")->type_name("OUT")->required();
-    command->add_option("parts", options->parts, "NAME.part-1-of-3.jsonl ..., all of them")
-        ->type_name("PART")
-        ->required();
-    command->add_flag("--json", options->json, "Print the summary as JSON instead of text");
-    command->footer("Example:\n"
-                    "  parallel umbra78 study error-time --quick --out parts --shard {}/3 ::: 1 2 "
-                    "3\n  umbra78 study merge out/error-time parts/*.jsonl");
-    command->callback(
+    Command command(above, "merge", "Make the files of a study from its parts");
+    command.text("out", options->out, "OUT", "Folder for the files").required();
+    command.texts("parts", options->parts, "PART", "NAME.part-1-of-3.jsonl ..., all of them")
+        .required();
+    command.flag("--json", options->json, "Print the summary as JSON instead of text");
+    command.footer("Example:\n"
+                   "  parallel umbra78 study error-time --quick --out parts --shard {}/3 ::: 1 2 "
+                   "3\n  umbra78 study merge out/error-time parts/*.jsonl");
+    command.runs(
         [options] { print_done(merge_parts(options->parts, options->out), options->json); });
 }
 
-void add_verify(CLI::App& at, int& exit_code) {
+void add_verify(const Command& above, int& exit_code) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = at.add_subcommand(
-        "verify", "Render rows of a study's CSV again, and compare every figure but host times");
-    command->add_option("csv", options->scene, "The CSV; its NAME.json beside it")
-        ->type_name("FILE.csv")
-        ->required();
-    command->add_option("--sample", options->sample, "How many rows, by a fixed seed")
-        ->type_name("N")
-        ->capture_default_str();
-    command->footer("Example:\n  umbra78 study verify out/error-time/error-time.csv --sample 20");
-    command->callback([options, &exit_code] {
+    Command command(above, "verify",
+                    "Render rows of a study's CSV again, and compare every figure but host times");
+    command.text("csv", options->scene, "FILE.csv", "The CSV; its NAME.json beside it").required();
+    command.number("--sample", options->sample, "N", "How many rows, by a fixed seed")
+        .default_shown();
+    command.footer("Example:\n  umbra78 study verify out/error-time/error-time.csv --sample 20");
+    command.runs([options, &exit_code] {
         const Verified verified = verify(options->scene, options->sample);
         for (const std::string& difference : verified.differences) fmt::print("{}\n", difference);
         if (!verified.differences.empty()) {
@@ -150,15 +139,16 @@ void add_verify(CLI::App& at, int& exit_code) {
 }  // namespace
 
 void add_study_command(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand(
-        "study", "Run a study: a grid of settings, measured, plotted and told; alone, list them");
-    for (const auto& each : studies()) add_study(*command, *each);
-    add_merge(*command);
-    add_verify(*command, exit_code);
-    command->require_subcommand(0, 1);
-    command->footer("Example:\n  umbra78 study error-time --quick");
-    command->callback([command] {
-        if (!command->get_subcommands().empty()) return;
+    Command command(app, "study",
+                    "Run a study: a grid of settings, measured, plotted and told; alone, list "
+                    "them");
+    for (const auto& each : studies()) add_study(command, *each);
+    add_merge(command);
+    add_verify(command, exit_code);
+    command.needs_no_command_below();
+    command.footer("Example:\n  umbra78 study error-time --quick");
+    command.runs([command] {
+        if (command.has_command_below()) return;
         for (const auto& each : studies()) fmt::print("{:<12} {}\n", each->name(), each->meaning());
     });
 }

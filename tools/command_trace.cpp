@@ -1,4 +1,5 @@
 // umbra78 trace: one pixel's way through the post-process, every word and the cycle it came in.
+#include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 #include "tools/pixel_trace.hpp"
 #include "tools/report.hpp"
@@ -7,7 +8,6 @@
 #include "tools/vcd.hpp"
 #include "tools/waterfall.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -70,35 +70,26 @@ void run(const Options& options) {
 
 void add_trace_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("trace", "Print every word of one pixel's way through the post-process");
-    command->add_option("scene", options->scene, "Scene file (TOML)")
-        ->type_name("FILE")
-        ->required();
-    command->add_option("--pixel", options->pixel, "The pixel, x,y from the upper left corner")
-        ->type_name("X,Y")
-        ->required()
-        ->check(CLI::Validator(check_pixel, "", "pixel"));
-    command->add_option("--set", options->set, "key=value: a setting, observer.KEY or light.KEY")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);  // one value a --set, so that the scene may follow
-    command
-        ->add_option("--vcd", options->vcd,
-                     "Write the machine's signals from the pixel's first cycle on, as a value "
-                     "change dump")
-        ->type_name("FILE");
-    command->add_option("--cycles", options->cycles, "Cycles of --vcd")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1 << 20))
-        ->capture_default_str();
-    CLI::Option* waterfall = command->add_flag(
+    Command command(app, "trace",
+                    "Print every word of one pixel's way through the post-process");
+    command.scene(options->scene);
+    command.text("--pixel", options->pixel, "X,Y", "The pixel, x,y from the upper left corner")
+        .required()
+        .checked(check_pixel);
+    command.set(options->set);
+    command.text("--vcd", options->vcd, "FILE",
+                 "Write the machine's signals from the pixel's first cycle on, as a value change "
+                 "dump");
+    command.number("--cycles", options->cycles, "N", "Cycles of --vcd")
+        .range(1, 1 << 20)
+        .default_shown();
+    const Argument waterfall = command.flag(
         "--waterfall", options->waterfall, "Print the pixel and the five after it, stage by stage");
-    command->add_flag("--json", options->json, "Print JSON instead of text")
-        ->excludes(waterfall);
-    command->footer("Settings are those of umbra78 render --help.\n"
-                    "\nExample:\n  umbra78 trace tools/scenes/figures.toml --pixel 80,180 "
-                    "--set lookup=nearest --set dither=none --set bias=64");
-    command->callback([options] { run(*options); });
+    command.json(options->json).excludes(waterfall);
+    command.footer("Settings are those of umbra78 render --help.\n"
+                   "\nExample:\n  umbra78 trace tools/scenes/figures.toml --pixel 80,180 "
+                   "--set lookup=nearest --set dither=none --set bias=64");
+    command.runs([options] { run(*options); });
 }
 
 }  // namespace umbra78::tools

@@ -68,7 +68,7 @@ Manifest read_manifest(const Path& folder) {
     if (!std::filesystem::exists(path, none)) return {};
     try {
         Manifest manifest;
-        const ordered_json json = ordered_json::parse(text_of(path));
+        const ordered_json json = parse_json(text_of(path));
         for (const ordered_json& row : json.at("frames"))
             manifest.push_back({row.at("file"), row.at("inputs"), row.at("picture")});
         return manifest;

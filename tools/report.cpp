@@ -58,11 +58,14 @@ ordered_json to_json(const std::optional<ShadowReport>& report) {
     if (!report) return nullptr;
     ordered_json json = to_json(report->all);
     json["outside_light_texel_band"] = to_json(report->outside_band);
+    json["edge_distance_px"] = {{"mean", report->edge.mean},
+                                {"hausdorff", report->edge.hausdorff}};
     json["isolated_pixels"] = report->isolated_pixels;
     json["threshold"] = report->threshold;
+    json["truth"] = {{"by", report->tessellation_error ? "Embree" : "closed form"}};
+    if (report->tessellation_error)
+        json["truth"]["uncertain_pixels"] = *report->tessellation_error;
     return json;
 }
-
-std::string print(const ordered_json& json) { return json.dump(2) + "\n"; }
 
 }  // namespace umbra78::tools

@@ -1,6 +1,7 @@
 // The figures of merit of a frame as text and JSON: bias, errors, times.
 #pragma once
 
+#include "tools/json_text.hpp"
 #include "tools/render_job.hpp"
 #include "tools/scene_truth.hpp"
 
@@ -23,8 +24,5 @@ std::string percent(std::optional<double> rate);  // "23.87" or "n/a"
 nlohmann::ordered_json to_json(const BiasReport&);
 nlohmann::ordered_json to_json(const StageTimes&);
 nlohmann::ordered_json to_json(const std::optional<ShadowReport>&);  // null for none
-
-// With two blanks of indent and a newline at the end.
-std::string print(const nlohmann::ordered_json&);
 
 }  // namespace umbra78::tools

@@ -12,7 +12,7 @@ namespace umbra78::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 using test::Ran;
 
 const std::string figures_scene = UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml";
@@ -24,7 +24,7 @@ protected:
         const Ran ran = run("animate --set xy_bits=6 --json " + arguments);
         EXPECT_EQ(ran.exit_code, 0) << ran.err;
         EXPECT_EQ(ran.err, "");  // no progress where there is no terminal
-        return json::parse(ran.out, nullptr, false);
+        return parse_json(ran.out);
     }
     std::map<std::string, std::string> contents(const char* of) const {
         std::map<std::string, std::string> all;
@@ -61,7 +61,7 @@ TEST_F(Animate, EachPictureIsRenders) {
     EXPECT_EQ(files(), (std::vector<std::string>{"a/frame_0001.png", "a/frame_0002.png",
                                                  "a/frame_0003.png", "a/frames.json"}));
     for (const json& row : report["frames"]) {
-        const json render = json::parse(
+        const json render = parse_json(
             run("render --no-truth --json --set xy_bits=6 " + figures_scene +
                 " --set light.azimuth=" + row["light_azimuth"].get<std::string>() +
                 " --set observer.azimuth=" + row["observer_azimuth"].get<std::string>() +
@@ -146,7 +146,7 @@ TEST_F(Animate, GoesOnWhereItWasInterrupted) {
     EXPECT_LT(left.size(), 26u);
     for (const auto& [name, bytes] : left)
         EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
-    const json rest = json::parse(run("animate --json " + arguments + "a").out);
+    const json rest = parse_json(run("animate --json " + arguments + "a").out);
     EXPECT_LT(rest["drawn"], 24);
     EXPECT_EQ(run("animate --json " + arguments + "b").exit_code, 0);
     EXPECT_EQ(contents("a"), contents("b"));

@@ -3,6 +3,7 @@
 
 #include "tools/figure_set.hpp"
 #include "tools/figure_studies.hpp"
+#include "tools/json_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -172,7 +173,7 @@ TEST_F(Goldens, TheCommandChecks) {
     EXPECT_NE(blessed.second.find("Goldens written to " + folder.string()), std::string::npos);
     const auto right = run("--check --json");
     EXPECT_EQ(right.first, 0);
-    const auto report = nlohmann::json::parse(right.second);
+    const auto report = parse_json(right.second);
     ASSERT_EQ(report["figures"].size(), 6u);
     for (const auto& figure : report["figures"]) {
         EXPECT_EQ(figure["golden"], "ok");

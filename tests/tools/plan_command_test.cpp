@@ -9,7 +9,7 @@
 namespace umbra78::tools {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 using test::Program;
 using test::Ran;
 
@@ -27,7 +27,7 @@ TEST_F(Program, PlanSaysWhatIsLeftOutAndWhy) {
         run("plan " + scenes + "figures.toml --set dither=none --set low_pass=0 --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(ran.err, "");
-    const json report = json::parse(ran.out);
+    const json report = parse_json(ran.out);
     ASSERT_EQ(report["omissions"].size(), shadow::omission_count);
     EXPECT_EQ(report["visible_pixels"], 106772);
     EXPECT_EQ(report["patches_outside_light"], 0);
@@ -61,7 +61,7 @@ TEST_F(Program, PlanPrintsATable) {
 
 // A light that looks past the scene: no light map, no post-process, no filters.
 TEST_F(Program, PlanOfALightThatMeetsNothing) {
-    const json report = json::parse(
+    const json report = parse_json(
         run("plan " + scenes + "figures.toml --set light.target=[20,0,0] --json").out);
     EXPECT_EQ(report["patches_outside_light"], 128);
     for (const char* key : {"light_map", "post_process", "dequantize", "low_pass", "composite"})

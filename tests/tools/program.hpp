@@ -1,6 +1,8 @@
 // A folder of its own, and the program run in it: exit code, output, errors, and what it leaves.
 #pragma once
 
+#include "tools/json_text.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -10,7 +10,7 @@ namespace umbra78::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 using test::Program;
 using test::Ran;
 
@@ -122,7 +122,7 @@ TEST_F(Program, RenderWritesThePictureAndTheBuffers) {
         run("render --set density=0.55 " + figures_scene_file + " --out a.png --buffers b --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(ran.err, "");
-    const json report = json::parse(ran.out);
+    const json report = parse_json(ran.out);
     const FigureSet figures;
     EXPECT_EQ(report["hashes"]["picture"], figures.figures()[5].hash);
     EXPECT_EQ(report["hashes"]["mask"], figures.figures()[3].hash);
@@ -175,7 +175,7 @@ TEST_F(Program, ASceneWithFreePatchesHasErrorsIfBuiltWithEmbree) {
 
 TEST_F(Program, SettingsAreTheTable) {
     const std::string markdown = run("settings").out;
-    const json table = json::parse(run("settings --json").out);
+    const json table = parse_json(run("settings --json").out);
     ASSERT_EQ(table["settings"].size(), shadow::settings_table().size());
     for (std::size_t k = 0; k < table["settings"].size(); ++k) {
         const shadow::Setting& s = shadow::settings_table()[k];
@@ -190,15 +190,15 @@ TEST_F(Program, SettingsAreTheTable) {
 
 TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
     const std::string scene = std::string(UMBRA78_SOURCE_DIR) + "/tools/scenes/figures.toml";
-    const json one = json::parse(run("cycles " + scene + " --json").out)["ledger"];
+    const json one = parse_json(run("cycles " + scene + " --json").out)["ledger"];
     EXPECT_EQ(one["transformation"]["cycles"], 580249);
     EXPECT_EQ(one["transformation"]["bottleneck"], "fetch");
     EXPECT_EQ(one["phases"].size(), 5u);
     const json single =
-        json::parse(run("cycles " + scene + " --profile affine16x1 --json").out)["ledger"];
+        parse_json(run("cycles " + scene + " --profile affine16x1 --json").out)["ledger"];
     EXPECT_EQ(single["transformation"]["bottleneck"], "multiply");
     EXPECT_GT(single["frame_cycles"]["side_by_side"], one["frame_cycles"]["side_by_side"]);
-    const json all = json::parse(run("cycles " + scene + " --all --json").out)["profiles"];
+    const json all = parse_json(run("cycles " + scene + " --all --json").out)["profiles"];
     EXPECT_EQ(all.size(), shadow::profiles().size());
     EXPECT_NE(run("cycles " + scene).out.find("roughly twice"), std::string::npos);
     const auto both = run("cycles " + scene + " --all --profile affine16");
@@ -214,7 +214,7 @@ TEST_F(Program, TraceTellsAPixelsWords) {
         << ran.out;
     EXPECT_NE(ran.out.find("\n1  pixel (115, 180): leaves the reader"), std::string::npos);
     EXPECT_EQ(files(), (std::vector<std::string>{"a.vcd"}));
-    const json words = json::parse(run(pixel + "--json").out)["words"];
+    const json words = parse_json(run(pixel + "--json").out)["words"];
     EXPECT_GT(words.size(), 80u);
     const Ran outside = run("trace " + figures_scene_file + " --pixel 0,512");
     EXPECT_EQ(outside.exit_code, 1);
@@ -223,7 +223,7 @@ TEST_F(Program, TraceTellsAPixelsWords) {
 }
 
 TEST_F(Program, BandsHasARowForEachReading) {
-    const json rows = json::parse(run("bands --json").out);
+    const json rows = parse_json(run("bands --json").out);
     ASSERT_EQ(rows.size(), 16u);
     for (const json& row : rows) {
         EXPECT_EQ(row["right_edge_lit"], row["azimuth"] > 0);

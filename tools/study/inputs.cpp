@@ -1,5 +1,6 @@
 #include "tools/study/inputs.hpp"
 
+#include "tools/json_text.hpp"
 #include "tools/study/paper_scene.hpp"
 #include "tools/study/vary.hpp"
 
@@ -39,11 +40,11 @@ ordered_json inputs_of(const Study& study, const Request& request) {
 }
 
 std::string hash_of(const ordered_json& inputs, const std::vector<Case>& cases) {
-    std::string text = inputs.dump();
+    std::string text = print_line(inputs);
     for (const Case& c : cases) {
         ordered_json extra = ordered_json::array();
         for (const auto& [column, value] : c.extra) extra.push_back({column, value});
-        text += ordered_json{c.name, c.set, extra}.dump();
+        text += print_line({c.name, c.set, extra});
     }
     return fnv1a64(text);
 }

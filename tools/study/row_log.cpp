@@ -1,5 +1,6 @@
 #include "tools/study/row_log.hpp"
 
+#include "tools/json_text.hpp"
 #include "tools/study/row_text.hpp"
 
 #include <fcntl.h>
@@ -24,7 +25,7 @@ using nlohmann::ordered_json;
 
 RowLog read_head(const Path& path, const std::string& line) {
     RowLog log;
-    const ordered_json json = ordered_json::parse(line);
+    const ordered_json json = parse_json(line);
     log.hash = json.at("inputs_hash");
     log.cases = json.at("cases");
     log.shard = {json.at("shard").at(0), json.at("shard").at(1)};
@@ -35,7 +36,7 @@ RowLog read_head(const Path& path, const std::string& line) {
 }
 
 void read_row(const Path& path, RowLog& log, const std::string& line, int number) {
-    const ordered_json json = ordered_json::parse(line);
+    const ordered_json json = parse_json(line);
     const std::size_t index = json.at("case");
     if (index >= log.cases || !log.shard.holds(index))
         fail_to_read(path, fmt::format("line {} is of case {}, which is not of this file", number,
@@ -53,16 +54,15 @@ void cut_torn_line(const Path& path) {
 }
 
 std::string head_line(const Asked& asked, Shard shard) {
-    return ordered_json{{"study", asked.study->name()},
-                        {"inputs_hash", asked.hash},
-                        {"cases", asked.cases.size()},
-                        {"shard", {shard.i, shard.n}},
-                        {"inputs", asked.inputs}}.dump() + "\n";
+    return print_line({{"study", asked.study->name()},
+                       {"inputs_hash", asked.hash},
+                       {"cases", asked.cases.size()},
+                       {"shard", {shard.i, shard.n}},
+                       {"inputs", asked.inputs}});
 }
 
 std::string row_line(std::size_t index, const Row& row) {
-    return ordered_json{{"case", index}, {"row", to_json(row)}}.dump(
-               -1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return print_line({{"case", index}, {"row", to_json(row)}});
 }
 
 RowLog read_row_log(const Path& path) {

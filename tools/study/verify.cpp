@@ -1,5 +1,6 @@
 #include "tools/study/verify.hpp"
 
+#include "tools/json_text.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/row_text.hpp"
 #include "tools/study/runner.hpp"
@@ -24,7 +25,7 @@ ordered_json read_summary(const Path& path) {
         throw std::runtime_error(fmt::format("cannot read '{}', which holds the scene; keep it "
                                              "beside the CSV", path.string()));
     try {
-        ordered_json json = ordered_json::parse(file);
+        ordered_json json = parse_json(std::string(std::istreambuf_iterator<char>(file), {}));
         json.at("case_columns").at("extra");
         json.at("inputs");
         return json;
