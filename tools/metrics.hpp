@@ -38,24 +38,6 @@ struct ShadowError {
 ShadowError shadow_error(const Truth&, const MachineMask&,
                          std::span<const std::uint8_t> leave_out = {});
 
-// The pixels that have a visible pixel of the other answer within `radius_px`, centre to centre:
-// with radius 1 one pixel on either side of every edge of truth's shadow, with radius 0 none.
-std::vector<std::uint8_t> edge_band(const Truth&, double radius_px);
-
-// One light texel mapped back to the observer: the pixels whose answer in truth changes when
-// their surface point slides over its surface by `reach_texels`, seen in the light's image, in
-// any of 8 directions, or by half of it; near the light's limb it is up to sqrt(2 r T) wide
-// (T: the texel's size). A point that slides over its sphere's limb is at the shadow line, hence
-// in the band, unless it lies in another surface's shadow before and after. Then widened by the
-// radius of the mask's filter, in observer pixels. `light_view` is the depth map's.
-std::vector<std::uint8_t> light_texel_band(const TruthScene&, const TruthLight&,
-                                           const TruthView& light_view, const Truth&,
-                                           double filter_radius_px, double reach_texels = 1);
-
-// The band and every pixel within `radius_px` of it.
-std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& band, int size,
-                                  double radius_px);
-
 // Drawn pixels with drawn 4-neighbours none of which has the same answer.
 int isolated_pixels(const MachineMask&, int size);
 

@@ -13,16 +13,6 @@
 namespace umbra78::tools {
 namespace {
 
-Real3 minus(const Real3& a, const Real3& b) { return along(a, -1, b); }
-
-Real3 times(double factor, const Real3& a) { return along({}, factor, a); }
-
-Real3 cross(const Real3& a, const Real3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double length(const Real3& a) { return std::sqrt(dot(a, a)); }
-
 // Bernstein's four weights at t, and their derivatives.
 struct Weights {
     double at[4], slope[4];
@@ -226,6 +216,17 @@ Seen on_patch(const RealPatch& patch, const Triangles::Hit& hit, const Ray& ray,
     return {t, normal};
 }
 
+// How far along the ray to the light the first surface that the light sees there is: the light's
+// own ray is met from outside the scene, or from the light.
+double distance_behind(const Triangles& triangles, const Ray& to_light, bool point, double reach) {
+    const Real3 unit = times(1 / length(to_light.direction), to_light.direction);
+    const double away = point ? length(to_light.direction)
+                              : 2 * (reach + length(to_light.origin));
+    const Ray from_light{along(to_light.origin, away, unit), times(-1, unit)};
+    const auto hit = triangles.first(from_light, away);
+    return hit ? away - hit->t : 0;
+}
+
 PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
                       const TruthLight& light, int cells) {
     const Triangles triangles(patches, cells);
@@ -234,17 +235,9 @@ PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
         reach = std::max(reach, patch.reach());
         departure = std::max(departure, patch.departure(cells));
     }
-    const std::size_t pixels = static_cast<std::size_t>(view.size) * view.size;
-    PatchTruth made{{}, 0, departure + std::ldexp(reach, -20)};
+    PatchTruth made{Truth(view.size), 0, departure + std::ldexp(reach, -20)};
     Truth& truth = made.truth;
-    truth.size = view.size;
-    truth.visible.resize(pixels);
-    truth.lit.resize(pixels);
-    truth.surface.resize(pixels, no_surface);
-    truth.depth.resize(pixels, std::numeric_limits<double>::infinity());
-    truth.n_dot_l.resize(pixels);
-    truth.position.resize(pixels);
-    for (std::size_t at = 0; at < pixels; ++at) {
+    for (std::size_t at = 0; at < truth.visible.size(); ++at) {
         const auto size = static_cast<std::size_t>(view.size);
         Ray sight = view.ray(static_cast<double>(at % size) + 0.5,
                              static_cast<double>(at / size) + 0.5);
@@ -255,16 +248,15 @@ PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
         const Real3 position = along(sight.origin, seen.t, sight.direction);
         const Real3 normal = times(
             (dot(seen.normal, sight.direction) > 0 ? -1 : 1) / length(seen.normal), seen.normal);
-        const Real3 to_light = light.ray(position).direction;
-        truth.visible[at] = 1;
-        truth.surface[at] = static_cast<std::int32_t>(hit->patch);
-        truth.depth[at] = view.near_depth + seen.t;
-        truth.position[at] = position;
-        truth.n_dot_l[at] = dot(normal, to_light) / length(to_light);
+        truth.see(at, static_cast<int>(hit->patch), view.near_depth + seen.t, position, normal,
+                  light);
         truth.lit[at] =
             truth.n_dot_l[at] > 0 &&
             !triangles.blocked(light.ray(along(position, made.shadow_offset, normal)),
                                light.reach());
+        if (!truth.lit[at])
+            truth.behind[at] =
+                distance_behind(triangles, light.ray(position), light.point, reach);
     }
     return made;
 }

@@ -85,12 +85,9 @@ double filter_radius_px(const shadow::Settings& settings) {
 }
 
 Band light_texel_band(const SceneTruth& truth) {
-    // Points of free patches do not slide over their surface: the band is then as wide on either
-    // side of every edge as a light texel is seen at the views' targets, facing both.
-    const double texel_px = truth.light_view.pixel() / truth.observer.pixel();
     Band band = truth.closed_form ? light_texel_band(truth.scene, truth.light, truth.light_view,
                                                      truth.truth, 0)
-                                  : edge_band(truth.truth, std::max(1.0, texel_px));
+                                  : seen_texel_band(truth.light_view, truth.truth);
     for (std::size_t at = 0; at < band.size(); ++at) band[at] |= truth.unlit_side[at];
     return band;
 }
@@ -101,8 +98,11 @@ Band widened(const Band& band, const SceneTruth& truth, const shadow::Settings& 
 
 ShadowReport report(const SceneTruth& truth, const MachineMask& mask, const Band& band) {
     return {shadow_error(truth.truth, mask, truth.unlit_side),
-            shadow_error(truth.truth, mask, band), isolated_pixels(mask, truth.truth.size),
-            mask.threshold};
+            shadow_error(truth.truth, mask, band),
+            edge_distance(truth.truth, mask, truth.unlit_side),
+            isolated_pixels(mask, truth.truth.size),
+            mask.threshold,
+            truth.closed_form ? std::nullopt : std::optional(truth.tessellation_error)};
 }
 
 }  // namespace umbra78::tools

@@ -4,6 +4,8 @@
 // by tools/patch_truth.hpp, and no errors are given for it where that is left out.
 #pragma once
 
+#include "tools/edge_bands.hpp"
+#include "tools/edge_distance.hpp"
 #include "tools/metrics.hpp"
 #include "tools/scene_file.hpp"
 
@@ -32,11 +34,12 @@ TruthView truth_view(const raster::View&, int size_px);
 // `outside_band` leaves out one light texel mapped back to the observer, and the mask's filter.
 struct ShadowReport {
     ShadowError all, outside_band;
+    EdgeDistance edge{};
     int isolated_pixels = 0;
     int threshold = 128;
+    std::optional<double> tessellation_error;  // where truth is no closed form: see PatchTruth
 };
 
-using Band = std::vector<std::uint8_t>;
 Band light_texel_band(const SceneTruth&);            // without a filter's reach
 Band widened(const Band&, const SceneTruth&, const shadow::Settings&);  // with it
 

@@ -9,16 +9,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Real3 minus(const Real3& a, const Real3& b) { return along(a, -1, b); }
-
-Real3 times(double factor, const Real3& a) { return along({}, factor, a); }
-
-Real3 cross(const Real3& a, const Real3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double length(const Real3& a) { return std::sqrt(dot(a, a)); }
-
 // Columns and rows that may show a surface, ends excluded.
 struct PixelBox {
     int left, right, top, bottom;
@@ -149,21 +139,49 @@ bool blocked(const TruthScene& scene, const Ray& ray, double from, double to, in
     return false;
 }
 
+double last_crossing(const TruthScene& scene, const Ray& ray, double to) {
+    double last = 0;
+    const auto meet = [&](double t) {
+        if (t > last && t < to) last = t;
+    };
+    for (const TruthSphere& sphere : scene.spheres)
+        if (const auto hit = crossings(sphere, ray))
+            for (const double t : *hit) meet(t);
+    for (const TruthPlane& plane : scene.planes)
+        if (const auto hit = crossing(plane, ray); hit && hit->inside) meet(hit->t);
+    return last;
+}
+
 bool occluded(const Real3& point, const TruthLight& light, const TruthScene& scene,
               int ignoring) {
     return blocked(scene, light.ray(point), 0, light.reach(), ignoring);
 }
 
+Truth::Truth(int size_px) : size(size_px) {
+    const std::size_t pixels = static_cast<std::size_t>(size) * size;
+    visible.resize(pixels);
+    lit.resize(pixels);
+    surface.resize(pixels, no_surface);
+    depth.resize(pixels, infinity);
+    position.resize(pixels);
+    normal.resize(pixels);
+    n_dot_l.resize(pixels);
+    behind.resize(pixels);
+}
+
+void Truth::see(std::size_t at, int surface_seen, double depth_seen, const Real3& where,
+                const Real3& unit_normal, const TruthLight& light) {
+    const Real3 to_light = light.ray(where).direction;
+    visible[at] = 1;
+    surface[at] = surface_seen;
+    depth[at] = depth_seen;
+    position[at] = where;
+    normal[at] = unit_normal;
+    n_dot_l[at] = dot(unit_normal, to_light) / length(to_light);
+}
+
 Truth trace(const TruthScene& scene, const TruthView& view, const TruthLight& light) {
-    const std::size_t pixels = static_cast<std::size_t>(view.size) * view.size;
-    Truth truth;
-    truth.size = view.size;
-    truth.visible.resize(pixels);
-    truth.lit.resize(pixels);
-    truth.surface.resize(pixels, no_surface);
-    truth.depth.resize(pixels, infinity);
-    truth.n_dot_l.resize(pixels);
-    truth.position.resize(pixels);
+    Truth truth(view.size);
 
     // What is seen.
     const auto seen = [&](double t) { return t >= view.near_depth && t <= view.far_depth; };
@@ -183,19 +201,20 @@ Truth trace(const TruthScene& scene, const TruthView& view, const TruthLight& li
     }
 
     // What of it the light sees. A surface that faces the light does not stand in its own way.
-    for (std::size_t at = 0; at < pixels; ++at) {
-        if (truth.surface[at] == no_surface) continue;
+    for (std::size_t at = 0; at < truth.surface.size(); ++at) {
+        const int seen_here = truth.surface[at];
+        if (seen_here == no_surface) continue;
         const int row = static_cast<int>(at / view.size);
         const int column = static_cast<int>(at % view.size);
         const Ray sight = view.ray(column + 0.5, row + 0.5);
         const Real3 position = along(sight.origin, truth.depth[at], sight.direction);
-        const Real3 normal = unit_normal(scene, truth.surface[at], position, sight.direction);
-        const Real3 to_light = light.ray(position).direction;
-        truth.visible[at] = 1;
-        truth.position[at] = position;
-        truth.n_dot_l[at] = dot(normal, to_light) / length(to_light);
-        truth.lit[at] = truth.n_dot_l[at] > 0 &&
-                        !occluded(position, light, scene, truth.surface[at]);
+        truth.see(at, seen_here, truth.depth[at], position,
+                  unit_normal(scene, seen_here, position, sight.direction), light);
+        truth.lit[at] = truth.n_dot_l[at] > 0 && !occluded(position, light, scene, seen_here);
+        if (truth.lit[at]) continue;
+        const Ray to_light = light.ray(position);
+        truth.behind[at] =
+            last_crossing(scene, to_light, light.reach()) * length(to_light.direction);
     }
     return truth;
 }

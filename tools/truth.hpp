@@ -10,6 +10,8 @@
 // parallel. A point that lies exactly on a second surface may be answered either way.
 #pragma once
 
+#include "tools/real3.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,18 +20,6 @@
 #include <vector>
 
 namespace umbra78::tools {
-
-using Real3 = std::array<double, 3>;
-
-inline double dot(const Real3& a, const Real3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// origin + t direction: a point of a ray, and every other weighted sum used here.
-inline Real3 along(const Real3& origin, double t, const Real3& direction) {
-    return {origin[0] + t * direction[0], origin[1] + t * direction[1],
-            origin[2] + t * direction[2]};
-}
 
 // `direction` need not be a unit vector: its length is the unit of t.
 struct Ray {
@@ -86,8 +76,19 @@ struct Truth {
     std::vector<std::uint8_t> lit;      // 1: faces the light and nothing stands between
     std::vector<std::int32_t> surface;
     std::vector<double> depth;          // as TruthView measures it
-    std::vector<double> n_dot_l;        // cosine, -1 .. 1; a sphere's normal points outward,
-    std::vector<Real3> position;        // a plane's toward the viewer
+    std::vector<Real3> position;
+    std::vector<Real3> normal;          // unit: a sphere's points outward, any other surface's
+                                        // toward the viewer
+    std::vector<double> n_dot_l;        // cosine, -1 .. 1
+    std::vector<double> behind;         // in shadow: how far the last surface before the light
+                                        // is, world units along the light's ray; 0 where lit
+
+    Truth() = default;
+    explicit Truth(int size_px);  // nothing seen
+
+    // Sees a surface of that normal there, in shadow until it is said to be lit.
+    void see(std::size_t at, int surface_seen, double depth_seen, const Real3& where,
+             const Real3& unit_normal, const TruthLight&);
 };
 
 // Where a ray meets a whole sphere (first and second t) or a parallelogram.
@@ -100,6 +101,9 @@ std::optional<PlaneCrossing> crossing(const TruthPlane&, const Ray&);  // none: 
 
 // Whether any surface but `ignoring` meets the ray strictly between t = from and t = to.
 bool blocked(const TruthScene&, const Ray&, double from, double to, int ignoring = no_surface);
+
+// The last t > 0 before t = to at which the ray meets any surface; 0 where it meets none.
+double last_crossing(const TruthScene&, const Ray&, double to);
 
 // Whether anything but surface `ignoring` stands between the point and the light.
 bool occluded(const Real3& point, const TruthLight&, const TruthScene&,

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "tests/shadow/figure_frame.hpp"
+#include "tools/edge_bands.hpp"
 #include "tools/metrics.hpp"
 #include "tools/spectrum.hpp"
 #include "tools/truth.hpp"

@@ -31,6 +31,8 @@ Band near_an_edge(const Truth& truth) {
     return band;
 }
 
+int count(const Band& band) { return static_cast<int>(std::count(band.begin(), band.end(), 1)); }
+
 TEST(PatchTruth, AgreesWithTheClosedFormOfSpheres) {
     if (!traces_patches()) GTEST_SKIP() << "built without Embree (libembree-dev)";
     const std::vector<std::string> size{"xy_bits=9"};
@@ -41,6 +43,7 @@ TEST(PatchTruth, AgreesWithTheClosedFormOfSpheres) {
     const Band edge = near_an_edge(exact.truth);
     int differ = 0, differ_inside = 0, on_edge = 0;
     double depth = 0, cosine = 0;
+    int dark = 0, other_caster = 0;  // at a caster's limb another surface may be the first
     for (std::size_t at = 0; at < edge.size(); ++at) {
         const bool same = exact.truth.visible[at] == traced.truth.visible[at] &&
                           exact.truth.lit[at] == traced.truth.lit[at];
@@ -49,18 +52,26 @@ TEST(PatchTruth, AgreesWithTheClosedFormOfSpheres) {
         differ_inside += !same && !edge[at];
         if (edge[at] || !exact.truth.visible[at] || !traced.truth.visible[at]) continue;
         depth = std::max(depth, std::abs(exact.truth.depth[at] - traced.truth.depth[at]));
+        if (!exact.truth.lit[at] && !traced.truth.lit[at]) {
+            ++dark;
+            other_caster += std::abs(exact.truth.behind[at] - traced.truth.behind[at]) > 1e-3;
+        }
         cosine = std::max(cosine, std::abs(exact.truth.n_dot_l[at] - traced.truth.n_dot_l[at]));
     }
     const auto pixels = static_cast<double>(edge.size());
     std::printf("of %.0f pixels %d differ, %d of them not among the %d at an edge; estimated %.2e "
-                "of all (%.0f); depth within %.1e, cosine within %.1e, offset %.1e\n",
+                "of all (%.0f); depth within %.1e, cosine within %.1e, "
+                "%d of %d shadows of another caster, offset %.1e\n",
                 pixels, differ, differ_inside, on_edge, traced.estimated_error,
-                traced.estimated_error * pixels, depth, cosine, traced.shadow_offset);
+                traced.estimated_error * pixels, depth, cosine, other_caster, dark,
+                traced.shadow_offset);
     EXPECT_LE(differ_inside, traced.estimated_error * pixels);
     EXPECT_LT(differ, 0.002 * pixels);
     EXPECT_LT(traced.estimated_error, 0.002);
     EXPECT_LT(depth, 1e-4);
     EXPECT_LT(cosine, 1e-3);
+    EXPECT_GT(dark, 1000);
+    EXPECT_LT(other_caster, dark / 200);
 }
 
 TEST(PatchTruth, ASceneWithFreePatchesHasItsTruth) {
@@ -72,6 +83,7 @@ TEST(PatchTruth, ASceneWithFreePatchesHasItsTruth) {
     if (!truth) GTEST_SKIP() << "built without Embree (libembree-dev)";
     EXPECT_FALSE(truth->closed_form);
     EXPECT_LT(truth->tessellation_error, 0.01);
+    EXPECT_GT(count(light_texel_band(*truth)), count(edge_band(truth->truth, 1)));
     const auto surfaces =
         static_cast<int>(scene.spheres.size() + scene.planes.size() + scene.free_patches);
     int lit = 0, dark = 0;

@@ -73,7 +73,7 @@ TEST(Traced, KnowsAPlanesSlopeInTheLightsSpace) {
         const double b = elevation * degree, texel = 8.0 / 256, range = 16;
         const double sum =
             (std::sin(a) + std::cos(a) * std::sin(b)) / (std::cos(a) * std::cos(b));
-        const TruthStore truths;
+        const TruthCache truths;
         const auto traced = truths.of(request.scene);
         for (const std::size_t at : {0u, 128u * 256 + 128, 256u * 256 - 1})
             EXPECT_NEAR(traced->slope[at] / (sum * texel / range), 1, 1e-6) << at;
@@ -85,7 +85,7 @@ TEST(Traced, KnowsAPlanesSlopeInTheLightsSpace) {
 // that clears 99.9 % of the pixels is nearly as much.
 TEST(LeastBias, OfAPlaneIsItsBound) {
     const Request request = plane_lit_aslant();
-    const TruthStore truths;
+    const TruthCache truths;
     const auto traced = truths.of(request.scene);
     BiasedFrames frames(request.scene, *traced);
     const double bound = frames.bound(traced->band);
@@ -102,7 +102,7 @@ TEST(LeastBias, IsTheFirstThatIsEnough) {
     EXPECT_EQ(bisect(100, [](int) { return false; }), std::nullopt);
 
     const Request request = small_sphere();
-    const TruthStore truths;
+    const TruthCache truths;
     const auto traced = truths.of(request.scene);
     BiasedFrames frames(request.scene, *traced);
     const LeastBias least = least_bias(frames);
@@ -124,7 +124,7 @@ TEST(DetachmentGap, OfAStepIsWhereTheMaskBegins) {
     traced.truth.unlit_side.assign(100, 0);
     std::vector<std::uint8_t> mask(100, 255);
     for (int at = 0; at < 100; ++at) {
-        traced.behind.push_back(at * 0.1);
+        traced.truth.truth.behind.push_back(at * 0.1);
         if (at <= 30) mask[at] = 0;
     }
     mask[90] = 0;  // at an edge: lit falsely, far behind

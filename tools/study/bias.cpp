@@ -21,6 +21,7 @@ public:
     std::string_view meaning() const override {
         return "which bias, in which unit: both errors over bias, and the least that suffices";
     }
+    Takes takes() const override { return {true, true}; }
     std::vector<Case> cases(const Request&) const override;
     Row run(const Request&, const Case&) const override;
     void report(const Request& request, std::span<const Row> rows,
@@ -29,7 +30,7 @@ public:
     }
 
 private:
-    TruthStore truths_;
+    TruthCache truths_;
 };
 
 std::vector<Case> searches(std::vector<Case> cases) {
@@ -89,8 +90,7 @@ std::vector<Case> BiasStudy::cases(const Request& request) const {
 
 Row BiasStudy::run(const Request& request, const Case& c) const {
     const LoadedScene scene = scene_of(request, c);
-    const auto traced = truths_.of(scene);
-    if (!traced) throw SceneError("the bias study needs truth: spheres and planes only");
+    const auto traced = truths_.needed(scene);
     const LightUnits units = light_units(scene);
     BiasedFrames frames(scene, *traced);
     const bool search = c.extra.at(0).second == "least";

@@ -33,6 +33,12 @@ MachineMask BiasedFrames::draw(std::optional<double> quanta) {
     return {job_.bytes(Plane::mask), visible_};
 }
 
+FalseShadow BiasedFrames::false_shadow(const MachineMask& mask) const {
+    const Truth& truth = traced_.truth.truth;
+    return {shadow_error(truth, mask, traced_.truth.unlit_side).false_shadow_rate(),
+            shadow_error(truth, mask, traced_.band).false_shadow_rate()};
+}
+
 double BiasedFrames::bound(const Band& leave_out) const {
     return bias_bound_for(tolerated_false_shadow, traced_.slope, traced_.truth.truth.lit,
                           leave_out, scene_.settings);
@@ -58,19 +64,18 @@ std::optional<int> bisect(int most, const std::function<bool(int)>& enough) {
 
 LeastBias least_bias(BiasedFrames& frames) {
     const int most = most_bias_quanta(frames.settings().machine);
-    std::map<int, ShadowReport> seen;
-    const auto at = [&](int quanta) -> const ShadowReport& {
+    std::map<int, FalseShadow> seen;
+    const auto at = [&](int quanta) -> const FalseShadow& {
         const auto found = seen.find(quanta);
         if (found != seen.end()) return found->second;
-        return seen[quanta] = frames.errors(frames.draw(quanta));
+        return seen[quanta] = frames.false_shadow(frames.draw(quanta));
     };
-    const auto least = [&](ShadowError ShadowReport::* which) {
-        const auto found = bisect(most, [&](int quanta) {
-            return (at(quanta).*which).false_shadow_rate() < tolerated_false_shadow;
-        });
+    const auto least = [&](double FalseShadow::* which) {
+        const auto found = bisect(
+            most, [&](int quanta) { return at(quanta).*which < tolerated_false_shadow; });
         return found ? *found : std::numeric_limits<double>::quiet_NaN();
     };
-    return {least(&ShadowReport::all), least(&ShadowReport::outside_band)};
+    return {least(&FalseShadow::overall), least(&FalseShadow::outside)};
 }
 
 }  // namespace umbra78::tools::study

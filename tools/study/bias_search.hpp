@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tools/study/bias_bound.hpp"
-#include "tools/study/traced.hpp"
+#include "tools/study/measures.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -17,6 +17,10 @@ inline int most_bias_quanta(const hw::MachineSpec& m) {
     return static_cast<int>(std::max(m.background() / 8, 1u));
 }
 
+struct FalseShadow {
+    double overall, outside;  // rates; outside the edge band
+};
+
 class BiasedFrames {
 public:
     BiasedFrames(const LoadedScene&, const Traced&);  // both must live
@@ -28,6 +32,7 @@ public:
     ShadowReport errors(const MachineMask& mask) const {
         return report(traced_.truth, mask, traced_.band);
     }
+    FalseShadow false_shadow(const MachineMask&) const;  // errors' two, and no others
     // The bias at which the bound holds for all lit pixels outside the band but those tolerated.
     double bound(const Band& leave_out) const;
     // Pixels outside the band in false shadow though the bias is at least their bound.

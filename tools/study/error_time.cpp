@@ -132,7 +132,7 @@ Row ErrorTime::run(const Request& request, const Case& c) const {
     const LoadedScene scene = scene_of(request, c);
     RenderJob& drawn = shared.draw(request.scene_text, scene,
                                      request.quick ? quick_runs : full_runs);
-    Row row = error_time_row(scene, drawn, *truths_.of(scene));
+    Row row = error_time_row(scene, drawn, truths_.of(scene).get());
     set_times(row, shared);
     return row;
 }

@@ -8,7 +8,7 @@
 namespace umbra78::tools::study {
 
 // Hashes, errors, cycles by each profile that applies, memory. The job keeps its settings.
-Row error_time_row(const LoadedScene&, RenderJob& drawn, const TruthCache::Entry&);
+Row error_time_row(const LoadedScene&, RenderJob& drawn, const Traced*);
 
 // Fronts of the errors against the host's and the machine's time, what lies on them, and which
 // setting to take for speed, for least error, and between.

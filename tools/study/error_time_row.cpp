@@ -2,6 +2,7 @@
 #include "tools/study/error_time.hpp"
 
 #include "shadow/profiles.hpp"
+#include "tools/study/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -12,16 +13,15 @@ namespace {
 
 std::int64_t whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
 
-void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job,
-                const TruthCache::Entry& known) {
-    const bool has = known.truth.has_value();
+void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job, const Traced* known) {
+    const bool has = known != nullptr;
     ShadowReport found;
     DepthError depth;
     if (has) {
         const std::vector<std::uint8_t> visible = job.visible();
-        found = report(*known.truth, {job.bytes(Plane::filtered), visible},
-                       widened(known.band, *known.truth, scene.settings));
-        depth = depth_error(scene, known.truth->truth, job.buffer(Plane::observer_z));
+        found = report(known->truth, {job.bytes(Plane::filtered), visible},
+                       widened(known->band, known->truth, scene.settings));
+        depth = depth_error(scene, known->truth.truth, job.buffer(Plane::observer_z));
     }
     const auto set = [&](const char* column, auto value) {
         row.set(column, has ? Value(value) : Value());
@@ -41,6 +41,8 @@ void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job,
     set("outside_false_light", out.false_light_rate());
     set("outside_wrong", wrong(out));
     set("isolated_pixels", std::int64_t{found.isolated_pixels});
+    set("edge_mean_px", found.edge.mean);
+    set("edge_hausdorff_px", found.edge.hausdorff);
     set("depth_pixels", depth.pixels);
     set("depth_min_quanta", depth.least);
     set("depth_mean_quanta", depth.mean);
@@ -94,7 +96,7 @@ void set_profiles(Row& row, RenderJob& job) {
 
 }  // namespace
 
-Row error_time_row(const LoadedScene& scene, RenderJob& drawn, const TruthCache::Entry& known) {
+Row error_time_row(const LoadedScene& scene, RenderJob& drawn, const Traced* known) {
     Row row;
     for (const Plane plane : {Plane::mask, Plane::filtered, Plane::picture})
         row.set(fmt::format("{}_hash", name_of(plane)), hash_of(drawn.buffer(plane)));

@@ -1,47 +1,25 @@
-// A scene's truth for a study: traced once, shared by all cases that see it the same way.
-//
-// Like TruthCache, by the same key, and with what bias and gap are measured by: per pixel, the
-// surface's slope in the light's space and how far it is behind its caster.
-// Safe to call from several threads: the first to ask traces, the others wait.
+// What studies measure of a drawn frame, and the units they give it in.
 #pragma once
 
+#include "tools/buffers.hpp"
 #include "tools/render_job.hpp"
-#include "tools/scene_truth.hpp"
 #include "tools/study/study.hpp"
+#include "tools/study/truth_cache.hpp"
 
-#include <future>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <string>
 
 namespace umbra78::tools::study {
 
-struct Traced {
-    SceneTruth truth;
-    Band band;                    // one light texel mapped back to the observer, no filter
-    // By pixel, along the ray to the light in world units: from the surface to the first surface
-    // the light sees there. 0 where the pixel is lit in truth or not seen.
-    std::vector<double> behind;
-    // |zu| + |zv|: how steep the surface is in the light's space, in light-view depth ranges a
-    // texel along its X and its Y; 2^z_bits times that is quanta a texel. 0 where the pixel is
-    // in shadow or not seen, infinite where the surface is seen edge on.
-    std::vector<double> slope;
-};
-
-class TruthStore {
-public:
-    // Null for a scene with free patches, which has no closed form.
-    std::shared_ptr<const Traced> of(const LoadedScene&) const;
-
-private:
-    using Entry = std::shared_future<std::shared_ptr<const Traced>>;
-    mutable std::mutex mutex_;
-    mutable std::map<std::string, Entry> entries_;
-};
-
 // The frame as far as its mask, nothing filtered.
 void draw_mask(RenderJob&);
+
+// Observer's Z less truth's, in quanta, where both see the same surface and so do the four
+// neighbours in truth: at a silhouette another surface may be meant.
+struct DepthError {
+    std::int64_t pixels = 0;
+    double least = 0, mean = 0, greatest = 0, rms = 0;
+};
+DepthError depth_error(const LoadedScene&, const Truth&, const Buffer& observer_z);
 
 // The detachment gap: how far behind its caster, in world units along the light's ray, a shadow
 // begins. It is the distance that best parts the pixels that are lit falsely (nearer) from those

@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    TruthStore truths_;
+    TruthCache truths_;
 };
 
 std::vector<Case> MoireStudy::cases(const Request& request) const {
@@ -92,7 +92,7 @@ Row MoireStudy::run(const Request& request, const Case& c) const {
 
 }  // namespace
 
-MoireFrame draw_moire(const Request& request, const Case& c, const TruthStore& truths) {
+MoireFrame draw_moire(const Request& request, const Case& c, const TruthCache& truths) {
     const auto is = [&](const char* key, const char* value) {
         for (const auto& [name, held] : c.extra)
             if (name == key) return held == value;
@@ -102,8 +102,7 @@ MoireFrame draw_moire(const Request& request, const Case& c, const TruthStore& t
     MoireFrame frame;
     frame.scene = plane ? parse_scene(slanted_plane, "the slanted plane", c.set)
                         : scene_of(request, c);
-    frame.traced = truths.of(frame.scene);
-    if (!frame.traced) throw SceneError("the moire study needs truth: spheres and planes only");
+    frame.traced = truths.needed(frame.scene);
     frame.window_px = plane ? frame.scene.settings.machine.size_px() / 2 : 0;
     RenderJob job(frame.scene.view(), frame.scene.settings);
     draw_mask(job);

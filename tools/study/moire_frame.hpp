@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tools/spectrum_shape.hpp"
-#include "tools/study/traced.hpp"
+#include "tools/study/measures.hpp"
 
 #include <string_view>
 #include <vector>

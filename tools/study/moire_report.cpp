@@ -97,7 +97,7 @@ constexpr Remedy remedies[] = {{"nearest", "nearest lookup", "nearest", "none"},
                                {"uniform", "nearest lookup, uniform dither", "nearest", "uniform"}};
 
 void picture_spectra(const Request& request, const char* ground, Report& report) {
-    const TruthStore truths;
+    const TruthCache truths;
     Plot radial;
     radial.name = fmt::format("radial-{}", ground);
     radial.title = "Radially averaged power of the error: the plane";
@@ -229,7 +229,6 @@ void report_moire(const Request& request, std::span<const Row> all, Report& repo
     table_plane(rows, report);
     plot_sizes(rows, "scene", "flatness", "flatness", false, report);
     plot_sizes(rows, "plane", "peak_over_mean", "peak over mean", true, report);
-    if (request.automatic) return;
     picture_spectra(request, "plane", report);
     if (request.quick) return;
     picture_spectra(request, "scene", report);

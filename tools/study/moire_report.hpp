@@ -15,7 +15,7 @@ struct MoireFrame {
     double bias_quanta = 0;
     MachineMask shown() const { return {mask, visible}; }
 };
-MoireFrame draw_moire(const Request&, const Case&, const TruthStore&);
+MoireFrame draw_moire(const Request&, const Case&, const TruthCache&);
 ShadowReport report_of(const MoireFrame&);
 
 // Between them nothing is said: white noise of errors has 0.56 to 0.59 (tools/spectrum.hpp), and

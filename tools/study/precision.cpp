@@ -48,6 +48,7 @@ public:
     std::string_view meaning() const override {
         return "the worst error of each fixed-point unit, against its bound";
     }
+    Takes takes() const override { return {false, false}; }
 
     std::vector<Case> cases(const Request&) const override {
         std::vector<Case> all;

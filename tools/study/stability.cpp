@@ -90,6 +90,7 @@ public:
     std::string_view meaning() const override {
         return "stiff and extreme cases: status, error within its bound, an end";
     }
+    Takes takes() const override { return {false, false}; }
 
     std::vector<Case> cases(const Request&) const override {
         std::vector<Case> all;

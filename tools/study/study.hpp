@@ -76,6 +76,12 @@ public:
     virtual ~Study() = default;
     virtual std::string_view name() const = 0;
     virtual std::string_view meaning() const = 0;  // one line for --help
+    // What may be asked of it: another scene or other settings, unless its cases are its own; the
+    // answer alone.
+    struct Takes {
+        bool scene = true, automatic = false;
+    };
+    virtual Takes takes() const { return {}; }
     // Full or quick; a grid() of the keys the study varies by itself, as a rule.
     virtual std::vector<Case> cases(const Request&) const = 0;
     // The figures of a case. The framework puts the case's name, its extra columns, every setting

@@ -1,9 +1,13 @@
 #include "tools/study/truth_cache.hpp"
 
+#include "tools/scene_error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace umbra78::tools::study {
 namespace {
@@ -18,25 +22,42 @@ std::string key_of(const raster::View& v) {
     return key;
 }
 
-// Z as the machine's word, before it is rounded: 0 at the near plane, 2^bits at the far one.
-double exact_code(const LoadedScene& scene, double depth) {
-    const raster::View& view = scene.observer;
-    const double near = std::ldexp(static_cast<double>(view.near_depth), -16);
-    const double far = std::ldexp(static_cast<double>(view.far_depth), -16);
-    const double in_range = (depth - near) / (far - near);
-    const bool perspective = view.projection == raster::Projection::perspective;
-    return std::ldexp(perspective ? in_range * far / depth : in_range,
-                      scene.settings.machine.z_bits);
+// Two directions along the surface at the pixel.
+std::array<Real3, 2> tangents(const Real3& normal) {
+    const Real3 aside = std::abs(normal[1]) < std::abs(normal[0]) ? Real3{0, 1, 0}
+                                                                  : Real3{1, 0, 0};
+    const Real3 first = cross(normal, aside);
+    return {first, cross(normal, first)};
 }
 
-// Whether the pixel lies inside its surface's image, away from every silhouette.
-bool inside(const Truth& truth, std::size_t at) {
-    const auto size = static_cast<std::size_t>(truth.size);
-    const std::size_t x = at % size, y = at / size;
-    if (!truth.visible[at] || x == 0 || y == 0 || x + 1 == size || y + 1 == size) return false;
-    for (const std::size_t beside : {at - 1, at + 1, at - size, at + size})
-        if (truth.surface[beside] != truth.surface[at]) return false;
-    return true;
+// A step along either tangent moves the point in the light's image and in depth; the two moves
+// give depth's slopes along the image's X and Y.
+double slope_sum(const SceneTruth& s, std::size_t at) {
+    const TruthView& light = s.light_view;
+    const Real3& from = s.truth.position[at];
+    const Real3 here = light.project(from);
+    std::array<Real3, 2> moved{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Real3 way = tangents(s.truth.normal[at])[k];
+        const double step = 1e-5 * light.extent / length(way);
+        moved[k] = along(light.project(along(from, step, way)), -1, here);
+    }
+    const auto& [a, b] = moved;
+    const double area = a[0] * b[1] - a[1] * b[0];
+    const double zu = (a[2] * b[1] - b[2] * a[1]) / area;
+    const double zv = (b[2] * a[0] - a[2] * b[0]) / area;
+    const double range = light.far_depth - light.near_depth;
+    const double codes =  // of the whole range, a unit of depth
+        light.perspective ? light.far_depth * light.near_depth / (range * here[2] * here[2])
+                          : 1 / range;
+    return (std::abs(zu) + std::abs(zv)) * codes;
+}
+
+std::vector<double> slopes(const SceneTruth& s) {
+    std::vector<double> slope(s.truth.visible.size());
+    for (std::size_t at = 0; at < slope.size(); ++at)
+        if (s.truth.visible[at] && s.truth.lit[at]) slope[at] = slope_sum(s, at);
+    return slope;
 }
 
 }  // namespace
@@ -46,10 +67,13 @@ std::string truth_key(const LoadedScene& scene) {
     for (const raster::Sphere& s : scene.spheres)
         key += key_of(s.centre) + fmt::format("{};", s.radius);
     for (const raster::Plane& p : scene.planes) key += key_of(p.origin) + key_of(p.u) + key_of(p.v);
+    if (scene.free_patches > 0)
+        for (const raster::Patch& patch : scene.patches)
+            for (const raster::World& w : patch.control) key += key_of(w);
     return key + key_of(scene.observer) + key_of(scene.light);
 }
 
-std::shared_ptr<const TruthCache::Entry> TruthCache::of(const LoadedScene& scene) const {
+std::shared_ptr<const Traced> TruthCache::of(const LoadedScene& scene) const {
     std::shared_ptr<Slot> slot;
     {
         const std::lock_guard lock(mutex_);
@@ -58,32 +82,22 @@ std::shared_ptr<const TruthCache::Entry> TruthCache::of(const LoadedScene& scene
         slot = there;
     }
     std::call_once(slot->once, [&] {
-        auto made = std::make_shared<Entry>();
-        made->truth = trace(scene);
-        if (made->truth) made->band = light_texel_band(*made->truth);
-        slot->entry = std::move(made);
+        auto truth = trace(scene);
+        if (!truth) return;
+        Traced traced{std::move(*truth), {}, {}};
+        traced.band = light_texel_band(traced.truth);
+        traced.slope = slopes(traced.truth);
+        slot->traced = std::make_shared<const Traced>(std::move(traced));
     });
-    return slot->entry;
+    return slot->traced;
 }
 
-DepthError depth_error(const LoadedScene& scene, const Truth& truth, const Buffer& observer_z) {
-    DepthError error;
-    double sum = 0, squares = 0;
-    for (std::size_t at = 0; at < truth.visible.size(); ++at) {
-        const std::uint32_t code = observer_z.at(at);
-        if (code == observer_z.maxval || !inside(truth, at)) continue;
-        const double off = code - exact_code(scene, truth.depth[at]);
-        error.least = error.pixels ? std::min(error.least, off) : off;
-        error.greatest = error.pixels ? std::max(error.greatest, off) : off;
-        sum += off;
-        squares += off * off;
-        ++error.pixels;
-    }
-    if (error.pixels == 0) return error;
-    const auto pixels = static_cast<double>(error.pixels);
-    error.mean = sum / pixels;
-    error.rms = std::sqrt(squares / pixels);
-    return error;
+std::shared_ptr<const Traced> TruthCache::needed(const LoadedScene& scene) const {
+    auto traced = of(scene);
+    if (!traced)
+        throw SceneError("the truth of free patches is traced by Embree, without which this program "
+                         "is built; install libembree-dev and build it again");
+    return traced;
 }
 
 }  // namespace umbra78::tools::study

@@ -1,31 +1,38 @@
-// The truth of a scene with its bands, traced once for all cases that share it. Thread safe.
+// The truth of a scene with what studies measure by, traced once for all cases that share it.
 #pragma once
 
-#include "tools/buffers.hpp"
 #include "tools/scene_truth.hpp"
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace umbra78::tools::study {
 
+struct Traced {
+    SceneTruth truth;
+    Band band;  // one light texel mapped back to the observer, no filter's reach
+    // |zu| + |zv|: how steep the surface is in the light's space, in light-view depth ranges a
+    // texel along its X and its Y; 2^z_bits times that is quanta a texel. 0 where the pixel is
+    // in shadow or not seen, infinite where the surface is seen edge on.
+    std::vector<double> slope;
+};
+
+// Safe to call from several threads: the first to ask traces, the others wait.
 class TruthCache {
 public:
-    struct Entry {
-        std::optional<SceneTruth> truth;  // none: free patches without Embree
-        Band band;                        // one light texel mapped back, no filter's reach
-    };
-    // By surfaces, views and resolution: nothing else of a case changes the truth.
-    std::shared_ptr<const Entry> of(const LoadedScene&) const;
+    // By surfaces, views and resolution: nothing else of a case changes the truth. Null for a
+    // scene with free patches without Embree.
+    std::shared_ptr<const Traced> of(const LoadedScene&) const;
+    // The same; throws SceneError in place of null.
+    std::shared_ptr<const Traced> needed(const LoadedScene&) const;
 
 private:
     struct Slot {
         std::once_flag once;
-        std::shared_ptr<const Entry> entry;
+        std::shared_ptr<const Traced> traced;
     };
     mutable std::mutex mutex_;
     mutable std::map<std::string, std::shared_ptr<Slot>> slots_;
@@ -33,13 +40,5 @@ private:
 
 // Equal where surfaces, views and resolution are.
 std::string truth_key(const LoadedScene&);
-
-// Observer's Z less truth's, in quanta, where both see the same surface and so do the four
-// neighbours in truth: at a silhouette another surface may be meant.
-struct DepthError {
-    std::int64_t pixels = 0;
-    double least = 0, mean = 0, greatest = 0, rms = 0;
-};
-DepthError depth_error(const LoadedScene&, const Truth&, const Buffer& observer_z);
 
 }  // namespace umbra78::tools::study

@@ -5,7 +5,7 @@
 // world units: then every machine is asked for the same gap, and a coarser map shows all of its
 // error. Where X and Y vary it is also kept in texels, which grows with them. The accumulator is
 // not among the widths: it follows from theirs, so that no sum is rounded or overflows.
-#include "tools/study/traced.hpp"
+#include "tools/study/measures.hpp"
 #include "tools/study/widths_report.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    TruthStore truths_;
+    TruthCache truths_;
 };
 
 // Half a texel at the scene's own widths, as a decimal that the bias holds exactly.
@@ -86,8 +86,7 @@ std::vector<Case> WidthsStudy::cases(const Request& request) const {
 
 Row WidthsStudy::run(const Request& request, const Case& c) const {
     const LoadedScene scene = scene_of(request, c);
-    const auto traced = truths_.of(scene);
-    if (!traced) throw SceneError("the widths study needs truth: spheres and planes only");
+    const auto traced = truths_.needed(scene);
     RenderJob job(scene.view(), scene.settings);
     draw_mask(job);
     const auto visible = job.visible();
