@@ -137,15 +137,15 @@ void write_pictures(const Path& out, const FigureSet& set, FileSet& files) {
 
 void run(const Options& options, int& exit_code) {
     const auto start = std::chrono::steady_clock::now();
+    FileSet files;
+    const Path out = options.out;
+    files.make_folder(out);  // before the work, for its error
     const FigureSet set;
     const std::vector<Buffer> buffers = set.buffers();
     const std::vector<GoldenCheck> checks =
         options.check ? check(options.goldens, buffers) : std::vector<GoldenCheck>{};
     Hashes hashes = read_hashes(options.goldens);
 
-    FileSet files;
-    const Path out = options.out;
-    files.make_folder(out);
     if (options.bless) {
         files.make_folder(options.goldens);
         bless(options.goldens, buffers, files);

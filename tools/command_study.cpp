@@ -98,7 +98,9 @@ void add_study(const Command& above, const Study& study) {
     command.flag("--no-host-times", options->no_host_times,
                  "Leave out the columns that end in _host_ms: the same files every time");
     command.flag("--json", options->json, "Print the summary as JSON instead of text");
-    command.footer(fmt::format("Example:\n  umbra78 study {0} --quick --out out/{0}", name));
+    command.footer(fmt::format("{1}Example:\n  umbra78 study {0} --quick --out out/{0}", name,
+                               study.takes().scene ? "" : "Its cases are its own: it takes no "
+                                                          "scene and no --vary.\n\n"));
     command.runs([options, &study] { run(study, *options); });
 }
 

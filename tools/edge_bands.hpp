@@ -1,5 +1,5 @@
-// Bands of pixels about the edges of truth's shadow, where errors are a matter of resolution: what is
-// wrong outside them is wrong.
+// Bands of pixels about the edges of truth's shadow, where errors are a matter of resolution; what
+// is wrong outside them is wrong.
 //
 // A band is an image of size * size zeros and ones, row 0 at the top, as in Truth.
 #pragma once

@@ -87,7 +87,9 @@ const Expected correct_form{
 
 void change_each_setting(PlannedScene base, const Expected& expected) {
     if (umbra78::test::sanitized) base.settings.machine.xy_bits = 5;
+    int turn = 0;
     for (const Setting& setting : settings_table()) {
+        if (umbra78::test::sanitized && ++turn % 4 != 0) continue;
         SCOPED_TRACE(setting.key);
         PlannedScene changed = base;
         setting.set(changed.settings, another(setting, base.settings));

@@ -130,8 +130,8 @@ Row ErrorTime::run(const Request& request, const Case& c) const {
     // A thread goes through neighbouring cases; its frame is drawn anew where it must be.
     thread_local SharedDraw shared;
     const LoadedScene scene = scene_of(request, c);
-    RenderJob& drawn = shared.draw(request.scene_text, scene,
-                                     request.quick ? quick_runs : full_runs);
+    const int runs = !request.host_times ? 1 : request.quick ? quick_runs : full_runs;
+    RenderJob& drawn = shared.draw(request.scene_text, scene, runs);
     Row row = error_time_row(scene, drawn, truths_.of(scene).get());
     set_times(row, shared);
     return row;

@@ -12,24 +12,27 @@
 namespace umbra78::tools::study {
 namespace {
 
-// A column, its word in a file's name, and how it is told.
+// A column, its word in a file's name, how it is told, and in which unit.
 struct Axis2 {
-    const char *column, *name, *label;
+    const char *column, *name, *label, *unit;
+    double scale = 1;  // units in one of the column's
 };
-constexpr std::array<Axis2, 2> costs{{{"total_host_ms", "host", "host, ms a frame (median)"},
-                                      {"frame_machine_ms", "machine",
-                                       "machine of the time, ms a frame (simulated)"}}};
-constexpr std::array<Axis2, 2> errors{
-    {{"outside_wrong", "outside", "wrong pixels outside the edge band, %"},
-     {"wrong", "overall", "wrong pixels, %"}}};
+constexpr std::array<Axis2, 2> costs{
+    {{"total_host_ms", "host", "host, ms a frame (median)", "ms"},
+     {"frame_machine_ms", "machine", "machine of the time, ms a frame (simulated)", "ms"}}};
+constexpr std::array<Axis2, 3> errors{
+    {{"outside_wrong", "outside", "wrong pixels outside the edge band, %", "%", 100},
+     {"wrong", "overall", "wrong pixels, %", "%", 100},
+     {"edge_mean_world", "edge", "mean distance of the shadow's edge, world units",
+      "world units"}}};
 
 // A front with the rows it is of.
 struct Front {
     Axis2 cost, error;
     std::vector<Row> rows;
-    std::vector<CostAndError> points;  // the error in per cent
+    std::vector<CostAndError> points;
     std::vector<std::size_t> front;    // cheapest first
-    double floor = 0;                  // per cent: half a pixel, drawn in place of no error
+    double floor = 0;                  // half the least error there can be, drawn for none
 
     const Row& row(std::size_t k) const { return rows[front[k]]; }
     const CostAndError& point(std::size_t k) const { return points[front[k]]; }
@@ -51,18 +54,20 @@ std::string resolution_of(const Request& request, std::span<const Row> rows) {
 Front front_of(std::span<const Row> rows, const Axis2& cost, const Axis2& error,
                const std::string& one_resolution) {
     Front f{cost, error, {}, {}, {}, 0};
-    double most_pixels = 1;
+    const bool rate = std::string_view(error.unit) == "%";
+    double least = error.scale;
     const bool outside = std::string_view(error.name) == "outside";
     for (const Row& row : rows) {
         if (row.text("status") != "ok" || std::isnan(row.number(error.column))) continue;
         if (outside && row.text("xy_bits") != one_resolution) continue;
         f.rows.push_back(row);
-        f.points.emplace_back(row.number(cost.column), 100 * row.number(error.column));
-        most_pixels = std::max(most_pixels, row.number("lit_pixels") +
-                                                row.number("shadowed_pixels"));
+        f.points.emplace_back(row.number(cost.column), error.scale * row.number(error.column));
+        const double pixels = row.number("lit_pixels") + row.number("shadowed_pixels");
+        const double here = rate ? error.scale / std::max(pixels, 1.0) : f.points.back().second;
+        if (here > 0) least = std::min(least, here);
     }
     f.front = pareto_front(f.points);
-    f.floor = 50 / most_pixels;
+    f.floor = least / 2;
     return f;
 }
 
@@ -97,8 +102,8 @@ void plot_front(const Front& f, Report& to) {
     to.plot(plot, fmt::format("Each point is a setting; left is faster, down is better. The line "
                               "joins the settings that no other beats in both, {} of {}, with the "
                               "numbers of their cases, which the table names. No error at all is "
-                              "drawn as half a pixel ({:.2g} %), for the axis is logarithmic.",
-                              f.front.size(), f.rows.size(), f.floor));
+                              "drawn as {:.2g} {}, for the axis is logarithmic.",
+                              f.front.size(), f.rows.size(), f.floor, f.error.unit));
 }
 
 void table_of(const Front& f, std::span<const Row> all, Report& to) {
@@ -129,9 +134,9 @@ nlohmann::ordered_json to_json(const Front& f, std::span<const Row> all) {
 }
 
 std::string told(const Front& f, std::size_t k, std::span<const Row> all) {
-    return fmt::format("{} (case {}: {:.{}f} ms, {:.3g} %)", short_name(f.row(k), all),
+    return fmt::format("{} (case {}: {:.{}f} {}, {:.3g} {})", short_name(f.row(k), all),
                        f.row(k).text("case"), f.point(k).first, f.point(k).first < 1000 ? 1 : 0,
-                       f.point(k).second);
+                       f.cost.unit, f.point(k).second, f.error.unit);
 }
 
 // Of the host's time.
@@ -182,7 +187,8 @@ void report_error_time(const Request& request, std::span<const Row> rows, Report
                  "medians of a thread's own time on a processor, while other cases run on the "
                  "other cores. The edge band is a light texel mapped back and the filters' "
                  "reach: it leaves out more where texels are larger, so errors outside it are "
-                 "compared at one resolution.");
+                 "compared at one resolution. The distance of the shadow's edge from the true one, "
+                 "in world units, is compared at all: acne is edge, too, and far from a true one.");
     bool any = false;
     for (const Axis2& cost : costs) {
         if (!request.host_times && std::string_view(cost.name) == "host") continue;
@@ -196,8 +202,8 @@ void report_error_time(const Request& request, std::span<const Row> rows, Report
         }
     }
     if (!any)
-        to.paragraph("The scene has surfaces that are neither spheres nor planes, whose exact "
-                     "shadow is not known here: there are times and hashes, but no errors.");
+        to.paragraph("The scene has free patches, whose truth is traced by Embree, without which "
+                     "this program is built: there are times and hashes, but no errors.");
 }
 
 }  // namespace umbra78::tools::study

@@ -43,6 +43,7 @@ void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job, const 
     set("isolated_pixels", std::int64_t{found.isolated_pixels});
     set("edge_mean_px", found.edge.mean);
     set("edge_hausdorff_px", found.edge.hausdorff);
+    set("edge_mean_world", has ? found.edge.mean * known->truth.observer.pixel() : 0);
     set("depth_pixels", depth.pixels);
     set("depth_min_quanta", depth.least);
     set("depth_mean_quanta", depth.mean);

@@ -95,8 +95,8 @@ std::shared_ptr<const Traced> TruthCache::of(const LoadedScene& scene) const {
 std::shared_ptr<const Traced> TruthCache::needed(const LoadedScene& scene) const {
     auto traced = of(scene);
     if (!traced)
-        throw SceneError("the truth of free patches is traced by Embree, without which this program "
-                         "is built; install libembree-dev and build it again");
+        throw SceneError("the truth of free patches is traced by Embree, without which this "
+                         "program is built; install libembree-dev and build it again");
     return traced;
 }
 
