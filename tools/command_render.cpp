@@ -99,7 +99,8 @@ void print_rows(const Options& options, const Rendered& rendered) {
                t.total_ms(), t.light_ms, t.observer_ms, t.post_process_ms, t.filters_ms);
     if (!rendered.error) {
         fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth"
-                                                : "free patches: built without Embree");
+                                                : "free patches: built without Embree; "
+                                                  "install libembree-dev and build again");
         return;
     }
     const ShadowReport& error = *rendered.error;

@@ -170,7 +170,7 @@ TEST_F(Program, ASceneWithFreePatchesHasErrorsIfBuiltWithEmbree) {
     EXPECT_EQ(ran.err, "");
     EXPECT_NE(ran.out.find(traces_patches() ? "error       false shadow "
                                             : "error       n/a (free patches: built without "
-                                              "Embree)\n"),
+                                              "Embree; install libembree-dev and build again)\n"),
               std::string::npos) << ran.out;
 }
 
