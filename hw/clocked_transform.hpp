@@ -6,9 +6,10 @@
 //
 // With one multiplier a product is formed each cycle, with four a row, with sixteen all of them.
 // A coefficient or word of more than 16 bits is cut in two halves, and each pair of halves is a
-// pass of its own: a = a1 2^h + a0 with a1 signed 16 bits, a0 >= 0. Where w is 1 the fourth column
-// is a constant and the accumulators start from it. Parts that take longer than a clock are cut
-// into more stages (hw/timing.hpp), which a point crosses a cycle each.
+// pass of its own: a = a1 2^h + a0 with a1 signed 16 bits, a0 >= 0; a product that a short
+// accumulator cuts is put together first, and added with its last pass. Where w is 1 the fourth
+// column is a constant and the accumulators start from it. Parts that take longer than a clock are
+// cut into more stages (hw/timing.hpp), which a point crosses a cycle each.
 //
 // The registers of a point travel with it, so any number of points may be under way.
 // Bits are those of hw/transform_unit.hpp; a test holds the two equal under any stalls.
@@ -30,6 +31,7 @@ class TransformPlan {
 public:
     TransformPlan(const MachineSpec& spec, const Timing& timing, const MatrixWords& matrix)
         : spec_(spec), matrix_(matrix), input_(screen_words(spec)),
+          cut_(product_cut(spec)),
           cycles_(transform_cycles(spec, matrix.affine)) {
         columns_ = rows_ = matrix.affine ? 3 : 4;
         coefficient_cut_ = spec.coefficient_bits > 16 ? spec.coefficient_bits - 16 : 0;
@@ -89,6 +91,7 @@ private:
     MachineSpec spec_;
     MatrixWords matrix_;
     WordFormat input_;
+    ProductCut cut_;
     int cycles_, rows_ = 0, columns_ = 0, passes_ = 0, coefficient_cut_ = 0, word_cut_ = 0;
     bool rounds_ = false;
     Delay delay_{};
@@ -106,7 +109,7 @@ struct TransformRegisters {
         words = point;
         const auto one = static_cast<std::int64_t>(plan.input_.one_word());
         for (std::size_t r = 0; r < 4; ++r)
-            accumulator[r] = plan.matrix_.affine ? plan.matrix_.word[r][3] * one : 0;
+            accumulator[r] = plan.matrix_.affine ? plan.cut_(plan.matrix_.word[r][3] * one) : 0;
     }
 
     void step(const TransformPlan& plan, int cycle) {
@@ -141,10 +144,20 @@ private:
                (std::int64_t{1} << shift);
     }
 
+    // What a pass adds to the accumulator. A product that is cut is put together from its passes
+    // first: nothing until the last.
+    std::int64_t multiply_pass(const TransformPlan& plan, int row, int column, int number) {
+        std::int64_t& word = product[std::size_t(row)][std::size_t(column)];
+        const std::int64_t part = pass(plan, row, column, number);
+        if (plan.cut_.dropped == 0) return word = part;
+        word = number == 0 ? part : word + part;
+        if (number + 1 < plan.passes_) return 0;
+        return word = plan.cut_(word);
+    }
+
     std::int64_t row_products(const TransformPlan& plan, int row, int number) {
         std::int64_t sum = 0;
-        for (int c = 0; c < plan.columns_; ++c)
-            sum += product[std::size_t(row)][std::size_t(c)] = pass(plan, row, c, number);
+        for (int c = 0; c < plan.columns_; ++c) sum += multiply_pass(plan, row, c, number);
         return sum;
     }
 
@@ -158,8 +171,7 @@ private:
             sums[0] = row_products(plan, turn, number);
         } else {
             const int row = turn / plan.columns_, column = turn % plan.columns_;
-            sums[0] = product[std::size_t(row)][std::size_t(column)] =
-                pass(plan, row, column, number);
+            sums[0] = multiply_pass(plan, row, column, number);
         }
     }
 

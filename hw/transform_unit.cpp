@@ -71,16 +71,18 @@ LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, Wor
 }
 
 TransformUnit::TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, WordFormat input,
-                             UnitWork work)
-    : spec_(spec), matrix_(matrix), input_(input), work_(work) {
+                             UnitWork work, ProductCut cut)
+    : spec_(spec), matrix_(matrix), input_(input), work_(work), cut_(cut) {
     for (std::size_t r = 0; r < 4; ++r)
-        constant_[r] = std::int64_t{matrix.word[r][3]} * input.one_word();
+        constant_[r] = cut(std::int64_t{matrix.word[r][3]} * input.one_word());
 }
 
 std::int64_t TransformUnit::sum(Row row, const Words& v) const {
-    if (!matrix_.affine || work_.constant_product)
-        return accumulate(matrix_, row, v, input_.one_word());
-    return accumulate(matrix_, row, v, 0) + constant_[static_cast<std::size_t>(row)];
+    const bool preloaded = matrix_.affine && !work_.constant_product;
+    const std::int32_t one = preloaded ? 0 : input_.one_word();
+    const std::int64_t acc = cut_.dropped == 0 ? accumulate(matrix_, row, v, one)
+                                               : accumulate(matrix_, row, v, one, cut_);
+    return preloaded ? acc + constant_[static_cast<std::size_t>(row)] : acc;
 }
 
 // What an affine matrix has for W is the constant, whether it is summed up for the point or not.

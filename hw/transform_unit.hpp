@@ -1,6 +1,7 @@
 // The 4 x 4 homogeneous transform unit: words in, exact accumulators, one rounding out.
 //
-//   acc_r = c_r0 x + c_r1 y + c_r2 z + c_r3 one         (exact; 35 bits in 1978's widths)
+//   acc_r = c_r0 x + c_r1 y + c_r2 z + c_r3 one         (exact; 35 bits in 1978's widths, unless
+//                                                        MachineSpec gives it fewer)
 //   out_r = round(acc_r 2^(e_r) / 2^(C - 2) / 2^(in))   in `out` fraction bits   (affine)
 //   out_r = round(acc_r 2^(e_r) / (acc_w 2^(e_w)))      by the divider           (perspective)
 //
@@ -13,6 +14,7 @@
 
 #include "fixed/divide.hpp"
 #include "fixed/rational.hpp"
+#include "fixed/rounding.hpp"
 #include "hw/machine_spec.hpp"
 
 #include <array>
@@ -68,6 +70,32 @@ constexpr std::int64_t accumulate(const MatrixWords& m, Row row, const Words& v,
            std::int64_t{c[3]} * one;
 }
 
+// What an accumulator has no place for: the low bits of every product, rounded away as it is
+// added. The words keep their scale; the bits that are not there are zero.
+struct ProductCut {
+    int dropped = 0;
+    Rounding rounding = Rounding::floor;
+
+    // Where nothing is dropped nothing is rounded.
+    constexpr bool operator==(const ProductCut& other) const {
+        return dropped == other.dropped && (dropped == 0 || rounding == other.rounding);
+    }
+    constexpr std::int64_t operator()(std::int64_t product) const {
+        return fixed::round_shift(product, dropped, rounding) * (std::int64_t{1} << dropped);
+    }
+};
+
+constexpr ProductCut product_cut(const MachineSpec& m) {
+    return {m.dropped_bits(), m.product_rounding};
+}
+
+constexpr std::int64_t accumulate(const MatrixWords& m, Row row, const Words& v, std::int32_t one,
+                                  ProductCut cut) {
+    const auto& c = m.word[static_cast<std::size_t>(row)];
+    return cut(std::int64_t{c[0]} * v.x) + cut(std::int64_t{c[1]} * v.y) +
+           cut(std::int64_t{c[2]} * v.z) + cut(std::int64_t{c[3]} * one);
+}
+
 // How far an affine row's accumulator shifts right to leave `out_fraction` bits.
 constexpr int affine_shift(const MatrixWords& m, Row row, const MachineSpec& spec,
                            WordFormat input, int out_fraction) {
@@ -99,12 +127,13 @@ struct UnitWork {
 };
 
 // The unit as the shadow post-process uses it: screen words in, screen words of another view out.
+// Drawing gives it other words, and exact accumulators.
 class TransformUnit {
 public:
     TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, UnitWork work = {})
-        : TransformUnit(spec, matrix, screen_words(spec), work) {}
+        : TransformUnit(spec, matrix, screen_words(spec), work, product_cut(spec)) {}
     TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, WordFormat input,
-                  UnitWork work);
+                  UnitWork work, ProductCut cut = {});
 
     Point operator()(const Words& v) const {
         return matrix_.affine && !work_.divide ? affine(v) : divided(v);
@@ -127,6 +156,7 @@ private:
     MatrixWords matrix_;
     WordFormat input_;
     UnitWork work_;
+    ProductCut cut_;
     Accumulators constant_{};  // c_r3 one, preloaded
 };
 

@@ -222,7 +222,8 @@ std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::De
 bool rows_cover(const Settings& settings, const hw::MatrixWords& matrix) {
     const hw::MachineSpec& m = settings.machine;
     if (!matrix.affine || m.size_px() > widest_row || m.z_bits > 16 || m.word_bits() > 16 ||
-        m.coefficient_bits > 16 || m.fraction_bits > 7 || m.fraction_bits < 1)
+        m.coefficient_bits > 16 || m.fraction_bits > 7 || m.fraction_bits < 1 ||
+        m.dropped_bits() > 0)  // a cut product is no sum of shares
         return false;
     if (m.transform_rounding != Rounding::half_up && m.transform_rounding != Rounding::floor)
         return false;

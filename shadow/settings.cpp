@@ -56,6 +56,11 @@ constexpr std::array table{
         "fraction_bits", "bits", 0, 12, "fraction of X and Y behind the transform"),
     whole<UMBRA78_ACCESS(machine.multipliers)>(
         "multipliers", "multipliers", 1, 16, "16 x 16 multipliers in the unit: 1, 4 or 16"),
+    whole<UMBRA78_ACCESS(machine.accumulator_most)>(
+        "accumulator_bits", "bits", 16, 64,
+        "a row's accumulator, to what it needs; fewer cut the low bits of its products"),
+    choice<UMBRA78_ACCESS(machine.product_rounding)>(
+        "product_rounding", rounding_names, "of a product that the accumulator cuts"),
     choice<UMBRA78_ACCESS(machine.transform_rounding)>(
         "transform_rounding", rounding_names, "of a transformed coordinate, once per result"),
     choice<UMBRA78_ACCESS(machine.coefficient_rounding)>(

@@ -68,6 +68,7 @@ bool same_test(const FrameInputs& a, const FrameInputs& b) {
     if (s.arithmetic == Arithmetic::ap120b && a.matrices.array != b.matrices.array) return false;
     return same(a.matrices.observer_to_light, b.matrices.observer_to_light) &&
            s.machine.fraction_bits == t.machine.fraction_bits &&
+           hw::product_cut(s.machine) == hw::product_cut(t.machine) &&
            (a.matrices.observer_to_light.affine ||
             s.machine.divide_order == t.machine.divide_order) &&
            s.registration == t.registration && s.lookup == t.lookup &&

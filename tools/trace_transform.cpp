@@ -43,7 +43,10 @@ Turn turn_of(const hw::TransformPlan& t, int turn) {
 
 // Which halves of coefficient and word a pass takes.
 std::string pass_name(const hw::TransformPlan& t, int pass) {
-    if (t.passes() == 1) return "";
+    if (t.passes() == 1) {
+        const int dropped = t.spec().dropped_bits();
+        return dropped == 0 ? "" : fmt::format("without its low {} bits", dropped);
+    }
     const bool both = t.coefficient_cut() > 0 && t.word_cut() > 0;
     const auto half = [](int cut, int number, const char* of) {
         return cut == 0 ? std::string(of)

@@ -153,7 +153,7 @@ TEST(LoadMatrix, CornerProductsStayWithinTheAccumulator) {
                         row = {pick(0, c), pick(1, c), pick(2, c), pick(3, c)};
                     matrix.exponent.fill(greatest_exponent);
                     const Words v{pick(4, w), pick(5, w), pick(6, w)};
-                    const Int128 sum = model_sum(matrix, 0, v, m.one_word());
+                    const Int128 sum = model_sum(matrix, 0, v, m);
                     ASSERT_TRUE(-limit <= sum && sum < limit);
                     ASSERT_TRUE(sum == accumulate(matrix, Row::x, v, m.one_word()));
                     (void)TransformUnit(m, matrix).affine(v);

@@ -30,11 +30,12 @@ TEST(MachineSpec, EveryKnobIsRefusedOneStepOutsideItsRange) {
         int least, most;
         SpecStatus status;
     };
-    constexpr std::array<Case, 4> cases{{
+    constexpr std::array<Case, 5> cases{{
         {&MachineSpec::xy_bits, 4, 12, SpecStatus::xy_bits},
         {&MachineSpec::z_bits, 4, 24, SpecStatus::z_bits},
         {&MachineSpec::coefficient_bits, 8, 32, SpecStatus::coefficient_bits},
         {&MachineSpec::fraction_bits, 0, 12, SpecStatus::fraction_bits},
+        {&MachineSpec::accumulator_most, 16, 64, SpecStatus::accumulator_most},
     }};
     for (const Case& c : cases) {
         for (int value = c.least - 2; value <= c.most + 2; ++value) {

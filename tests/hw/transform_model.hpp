@@ -5,6 +5,7 @@
 #include "hw/transform_unit.hpp"
 #include "tests/fixed/boundary.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -29,6 +30,8 @@ inline MachineSpec random_spec(Random& random) {
     m.fraction_bits = static_cast<int>(random.between(0, 12));
     m.transform_rounding = random.rounding();
     m.coefficient_rounding = random.rounding();
+    if (random.bits() % 2 == 0) m.accumulator_most = static_cast<int>(random.between(16, 62));
+    m.product_rounding = random.rounding();
     return m;
 }
 
@@ -57,9 +60,16 @@ inline MatrixWords random_matrix(Random& random, const MachineSpec& spec, bool a
     return m;
 }
 
-inline Int128 model_sum(const MatrixWords& m, std::size_t r, const Words& v, std::int32_t one) {
+inline Int128 model_sum(const MatrixWords& m, std::size_t r, const Words& v,
+                        const MachineSpec& spec) {
+    const int needed = spec.word_bits() + spec.coefficient_bits + 3;
+    const Int128 place = power_of_two(std::max(needed - spec.accumulator_most, 0));
     const auto& c = m.word[r];
-    return Int128{c[0]} * v.x + Int128{c[1]} * v.y + Int128{c[2]} * v.z + Int128{c[3]} * one;
+    const auto cut = [&](Int128 product) {
+        return model_round(product, place, spec.product_rounding) * place;
+    };
+    return cut(Int128{c[0]} * v.x) + cut(Int128{c[1]} * v.y) + cut(Int128{c[2]} * v.z) +
+           cut(Int128{c[3]} * spec.one_word());
 }
 
 // Fraction bits of the unit's X, Y and Z.

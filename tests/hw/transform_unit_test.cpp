@@ -25,7 +25,7 @@ TEST(TransformUnit, AffineRowsAreExactSumsRoundedOnce) {
         for (std::size_t r = 0; r < 3; ++r) {
             const int shift = out_fractions(spec)[r] + m.exponent[r] -
                               (spec.coefficient_bits - 2) - spec.input_fraction();
-            const Int128 expected = model_scale(model_sum(m, r, v, spec.one_word()), shift,
+            const Int128 expected = model_scale(model_sum(m, r, v, spec), shift,
                                                 spec.transform_rounding);
             ASSERT_TRUE(expected == out[r]) << "case " << n << ", row " << r << ": unit "
                                             << out[r] << ", model "
@@ -33,6 +33,24 @@ TEST(TransformUnit, AffineRowsAreExactSumsRoundedOnce) {
         }
         ASSERT_EQ(p.status, DivideStatus::ok);
     }
+}
+
+// One product that an accumulator of 22 bits cuts: 3 x 5000 in steps of 2^13, by each rounding.
+TEST(TransformUnit, AShortAccumulatorLosesLowBits) {
+    MachineSpec spec;
+    EXPECT_EQ(spec.dropped_bits(), 0);
+    spec.accumulator_most = 22;
+    EXPECT_EQ(spec.dropped_bits(), 13);
+    EXPECT_EQ(spec.built_bits(), 22);
+    MatrixWords m;
+    m.word[0] = {3, 0, 0, 0};
+    const std::pair<Rounding, std::int64_t> expected[] = {
+        {Rounding::floor, 1}, {Rounding::ceiling, 2}, {Rounding::half_up, 2}};
+    for (const auto& [rounding, steps] : expected) {
+        spec.product_rounding = rounding;
+        EXPECT_EQ(accumulate(m, Row::x, {5000, 0, 0}, 0, product_cut(spec)), steps << 13);
+    }
+    EXPECT_EQ(accumulate(m, Row::x, {5000, 0, 0}, 0), 15000);
 }
 
 // Q1.14 times Q8.7 is the identity matrix's word: screen words come out as they went in.
@@ -63,7 +81,7 @@ TEST(TransformUnit, EachQuotientCarriesItsCertificate) {
             for (std::size_t c = 0; c < 3; ++c) m.word[3][c] /= 64;
         const Words v = random_words(random, spec.word_bits());
         const Point p = TransformUnit(spec, m)(v);
-        const Int128 w = model_sum(m, 3, v, spec.one_word());
+        const Int128 w = model_sum(m, 3, v, spec);
         if (w <= 0) {
             ASSERT_EQ(p.status, DivideStatus::divisor_not_positive);
             ++behind;
@@ -75,7 +93,7 @@ TEST(TransformUnit, EachQuotientCarriesItsCertificate) {
         bool overflow = false;
         for (std::size_t r = 0; r < 3; ++r) {
             const int shift = divide_shift(m, static_cast<Row>(r), out_fractions(spec)[r]);
-            const Int128 x = model_sum(m, r, v, spec.one_word());
+            const Int128 x = model_sum(m, r, v, spec);
             const Int128 num = x * power_of_two(std::max(shift, 0));
             const Int128 den = w * power_of_two(std::max(-shift, 0));
             const Int128 limit = power_of_two(bits[r] - 1);
@@ -122,8 +140,8 @@ TEST(TransformUnit, RoundingFirstCosts) {
         const Words v = random_words(random, exact.word_bits());
         const Point a = TransformUnit(exact, m)(v), b = TransformUnit(first, m)(v);
         if (a.status != DivideStatus::ok || b.status != DivideStatus::ok) continue;
-        const Int128 num = model_sum(m, 0, v, exact.one_word()) * power_of_two(7);
-        const Int128 den = model_sum(m, 3, v, exact.one_word());
+        const Int128 num = model_sum(m, 0, v, exact) * power_of_two(7);
+        const Int128 den = model_sum(m, 3, v, exact);
         worst_exact = std::max(worst_exact, doubled_error(a.x, num, den));
         const std::int64_t error = doubled_error(b.x, num, den);
         worst_first = std::max(worst_first, error);

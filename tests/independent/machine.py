@@ -145,11 +145,11 @@ def observer_to_light(observer, light, bias):
 class TransformUnit:
     """An affine matrix as words, for input words with fraction f and the given `one`."""
 
-    def __init__(self, matrix, f, one):
+    def __init__(self, matrix, f, one, dropped=0):
         *rows, (wx, wy, wz, m) = matrix
         assert wx == wy == wz == 0  # m is row W's entry before its division by v1
         scale = (1 / m, 1 / m, 1 / m, Fraction(1 << f, one) / m)
-        self.f, self.one = f, one
+        self.f, self.one, self.place = f, one, 1 << dropped
         self.rows = [self.load([a * b for a, b in zip(row, scale)]) for row in rows]
 
     @staticmethod
@@ -166,7 +166,8 @@ class TransformUnit:
         """The results X, Y, Z, with out[r] fraction bits."""
         results = []
         for (words, e), bits in zip(self.rows, out):
-            acc, s = dot(words, (*point, self.one)), C - 2 + self.f - bits - e
+            acc = sum(a * b // self.place * self.place for a, b in zip(words, (*point, self.one)))
+            s = C - 2 + self.f - bits - e
             results.append(half_up(acc, 1 << s) if s >= 0 else acc << -s)
         return results
 
@@ -436,8 +437,8 @@ def bilinear(light_z, x, y, k):
                         + fy * ((q - fx) * texel(tx, ty + 1) + fx * texel(tx + 1, ty + 1)))
 
 
-def shadow_mask(observer_z, light_z, matrix, lookup, dither=None):
-    unit = TransformUnit(matrix, I, ONE)
+def shadow_mask(observer_z, light_z, matrix, lookup, dither=None, accumulator=64):
+    unit = TransformUnit(matrix, I, ONE, max(0, XY_BITS + I + C + 3 - accumulator))
     mask = [0] * (N * N)
     for p, c in enumerate(observer_z):
         if c == BACKGROUND:
@@ -645,6 +646,9 @@ def figures():
     yield "light_z", 2, light_z
     mask3 = shadow_mask(observer_z, light_z, observer_to_light(observer, light, 64), nearest)
     yield "mask3", 1, mask3
+    yield "mask3_short", 1, shadow_mask(observer_z, light_z,
+                                        observer_to_light(observer, light, 64), nearest,
+                                        accumulator=22)
     yield "mask3_ap120b", 1, array_mask(observer_z, light_z,
                                         observer_to_light(observer, light, 64), array_nearest)
     noise = dither_words(0x12345678, 12, 256)

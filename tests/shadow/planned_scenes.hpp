@@ -106,6 +106,7 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.settings.registration = Registration::index;
         p.settings.machine.transform_rounding = fixed::Rounding::half_even;
         p.settings.machine.fraction_bits = 0;
+        p.settings.machine.accumulator_most = 24;
     }
     return all;
 }

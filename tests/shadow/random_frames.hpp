@@ -97,6 +97,10 @@ inline Settings random_settings(Random& random, bool rows) {
     s.dither.shape = static_cast<hw::DitherShape>(random.bits() % 5);
     s.dither.size_q8 = pick(random, {0, 1, 64, 255, 256, 257, 700, 1024});
     s.dither.seed = static_cast<std::uint32_t>(random.between(1, 0x7fffffff));
+    if (!rows && random.bits() % 4 == 0) {
+        m.accumulator_most = between(16, 48);
+        m.product_rounding = random.rounding();
+    }
     return s;
 }
 

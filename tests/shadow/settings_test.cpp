@@ -22,19 +22,21 @@ auto members(const Settings& s) {
     const auto& [machine, timing, sampling, registration, lookup, background, bias_q16, bias_unit,
                  dither, dequantize_passes, low_pass_passes, ambient_q8, density_q8, form,
                  arithmetic, array_memory] = s;
-    const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, transform_rounding,
-                 coefficient_rounding, depth_rounding, divide_order] = machine;
+    const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, accumulator_most,
+                 product_rounding, transform_rounding, coefficient_rounding, depth_rounding,
+                 divide_order] = machine;
     const auto& [shape, size_q8, seed] = dither;
     const auto& [clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits, light_banks,
                  dram] = timing;
     const auto& [access_ns, cycle_ns, column_ns, page_ns, rows, video] = dram;
     return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
-                           transform_rounding, coefficient_rounding, depth_rounding, divide_order,
-                           sampling, registration, lookup, background, bias_q16, bias_unit, shape,
-                           size_q8, seed, dequantize_passes, low_pass_passes, ambient_q8,
-                           density_q8, form, clock_ns, multiply_ns, add_ns, register_ns, divider,
-                           noise_bits, light_banks, access_ns, cycle_ns, column_ns, page_ns,
-                           rows, video, arithmetic, array_memory);
+                           accumulator_most, product_rounding, transform_rounding,
+                           coefficient_rounding, depth_rounding, divide_order, sampling,
+                           registration, lookup, background, bias_q16, bias_unit, shape, size_q8,
+                           seed, dequantize_passes, low_pass_passes, ambient_q8, density_q8, form,
+                           clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
+                           light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
+                           arithmetic, array_memory);
 }
 constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
 
@@ -118,6 +120,7 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"xy_bits", 9},         {"z_bits", 16},
         {"coefficient_bits", 16}, {"fraction_bits", 7},
         {"multipliers", 4},     {"transform_rounding", 3},
+        {"accumulator_bits", 64}, {"product_rounding", 0},
         {"coefficient_rounding", 6}, {"depth_rounding", 3},
         {"divide_order", 0},    {"sampling", 1},
         {"registration", 0},    {"lookup", 0},
@@ -152,7 +155,7 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     };
     std::vector<Named> all;
     for (const std::string_view key :
-         {"transform_rounding", "coefficient_rounding", "depth_rounding"}) {
+         {"product_rounding", "transform_rounding", "coefficient_rounding", "depth_rounding"}) {
         all.push_back(named(key, "floor", Rounding::floor));
         all.push_back(named(key, "ceiling", Rounding::ceiling));
         all.push_back(named(key, "to_zero", Rounding::to_zero));
@@ -206,7 +209,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
 
 // The machine's check and the table's ranges are the same ranges, but for 2 and 3 multipliers.
 TEST(SettingsTable, RangesAreTheMachines) {
-    for (const std::string_view key : {"xy_bits", "z_bits", "coefficient_bits", "fraction_bits"}) {
+    for (const std::string_view key : {"xy_bits", "z_bits", "coefficient_bits", "fraction_bits",
+                                       "accumulator_bits"}) {
         const Setting& row = *find_setting(key);
         for (std::int64_t v = row.least - 2; v <= row.most + 2; ++v) {
             Settings s;

@@ -124,6 +124,15 @@ TEST(Standing, WhatIsNotReadMayChange) {
     changed.settings.dither.shape = hw::DitherShape::uniform;
     changed.settings.dither.size_q8 = 0;
     EXPECT_EQ(draw_over(base, changed), "LDOMP");
+    changed = base;
+    changed.settings.machine.accumulator_most = 35;  // as many as it has
+    changed.settings.machine.product_rounding = fixed::Rounding::half_up;
+    EXPECT_EQ(draw_over(base, changed), "LDOMP");
+    changed.settings.machine.accumulator_most = 22;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
+    base = changed;
+    base.settings.machine.product_rounding = fixed::Rounding::ceiling;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
     base = test::planned_scene("point light");
     base.settings.dither.shape = hw::DitherShape::none;
     changed = base;

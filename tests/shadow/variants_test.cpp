@@ -120,6 +120,16 @@ TEST(Variants, leaf_sampling) {
     expect_variant<hw::Depth16>("leaf", s.scene(), set);
 }
 
+TEST(Variants, short_accumulator) {
+    const test::FigureScene s;
+    Settings set = figure_settings(3);
+    set.machine.accumulator_most = 22;
+    const test::Frame<> f(s.scene(), set);
+    ASSERT_EQ(f.status, FrameStatus::ok);
+    expect_documented("a short accumulator | figure 3's, A = 22", "mask3_short",
+                      hash<std::uint8_t>(f.buffers.mask, 512));
+}
+
 TEST(Variants, index_registration) {
     test::FigureScene s;
     Settings set = figure_settings(3);

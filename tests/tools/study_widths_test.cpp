@@ -50,7 +50,7 @@ TEST(WidthsStudy, AccumulatorFollowsFromTheOtherWidths) {
         "[light]\nazimuth = -100\n\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n");
     request.quick = true;
     const Row row = run(request, *make_widths_study(), {"fraction_bits=7", "lookup=nearest"});
-    EXPECT_EQ(row.number("accumulator_bits"), 35);
+    EXPECT_EQ(row.number("built_accumulator_bits"), 35);
     EXPECT_EQ(row.number("word_bits"), 16);
 }
 

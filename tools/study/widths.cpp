@@ -39,14 +39,17 @@ std::string half_texel_in_world(const LoadedScene& scene) {
     return fmt::format("{:.16f}", std::ldexp(std::round(std::ldexp(world, 16)), -16));
 }
 
+const Values roundings{"floor",        "ceiling",   "to_zero",  "half_up",
+                       "half_to_zero", "half_away", "half_even"};
+
 std::vector<Axis> widths(bool quick) {
     if (quick)
         return {{"z_bits", {"12", "16"}}, {"fraction_bits", {"2", "7"}},
                 {"depth_rounding", {"floor", "half_up"}}};
-    const Values roundings{"floor",        "ceiling",   "to_zero",  "half_up",
-                           "half_to_zero", "half_away", "half_even"};
     return {{"z_bits", {"8", "10", "11", "12", "13", "14", "15", "16", "18", "20"}},
             {"coefficient_bits", {"8", "10", "11", "12", "13", "14", "16", "20", "24"}},
+            {"accumulator_bits", {"16", "17", "18", "19", "20", "21", "22", "23", "24", "26", "28",
+                                  "35"}},
             {"fraction_bits", {"0", "1", "2", "3", "4", "5", "6", "7", "8", "10"}},
             {"coefficient_rounding", roundings},
             {"transform_rounding", roundings},
@@ -78,6 +81,11 @@ std::vector<Case> WidthsStudy::cases(const Request& request) const {
         all = joined(std::move(all), of("xy_bits", {lookups, bias[0], bias[1], sizes}));
     for (const Axis& width : widths(request.quick))
         all = joined(std::move(all), of(width.first, {lookups, in_world[0], in_world[1], width}));
+    if (!request.quick)  // an accumulator that cuts, or there is nothing to round
+        all = joined(std::move(all), of("product_rounding",
+                                        {lookups, in_world[0], in_world[1],
+                                         {"accumulator_bits", {"22"}},
+                                         {"product_rounding", roundings}}));
     for (const auto& bias : {in_world, in_texels})
         all = joined(std::move(all), of("xy_bits and z_bits", {{"lookup", {"nearest"}}, bias[0],
                                                                bias[1], grid_sizes, depths}));
@@ -101,7 +109,7 @@ Row WidthsStudy::run(const Request& request, const Case& c) const {
     set_in_three_units(row, "bias", light_units(scene),
                        std::ldexp(static_cast<double>(job.matrices().bias_quanta_q16), -16));
     row.set("word_bits", whole(machine.word_bits()));
-    row.set("accumulator_bits", whole(machine.accumulator_bits()));
+    row.set("built_accumulator_bits", whole(machine.built_bits()));
     row.set("light_map_bytes",
             (std::int64_t{machine.z_bits} << (2 * machine.xy_bits)) / 8);
     row.set("drawing_cycles", whole(shadow::FrameLedger::cycles(ledger.light, true) +

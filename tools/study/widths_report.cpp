@@ -14,10 +14,10 @@ namespace {
 using Rows = std::vector<Row>;
 using Wanted = std::initializer_list<std::pair<const char*, const char*>>;
 
-constexpr std::array<const char*, 4> bit_keys{"xy_bits", "z_bits", "coefficient_bits",
-                                              "fraction_bits"};
-constexpr std::array<const char*, 3> rounding_keys{"coefficient_rounding", "transform_rounding",
-                                                   "depth_rounding"};
+constexpr std::array<const char*, 5> bit_keys{"xy_bits", "z_bits", "coefficient_bits",
+                                              "accumulator_bits", "fraction_bits"};
+constexpr std::array<const char*, 4> rounding_keys{"coefficient_rounding", "product_rounding",
+                                                   "transform_rounding", "depth_rounding"};
 
 Rows where(std::span<const Row> rows, Wanted wanted) {
     Rows kept;
@@ -72,7 +72,9 @@ void tell_roundings(std::span<const Row> rows, Report& report) {
                              rate(row, "false_light_outside")});
     if (table.size() > 1)
         report.table(table, "Each rounding in place of the scene's own, a stage at a time: of a "
-                            "matrix word, of a transformed coordinate, of a drawn sample's Z.");
+                            "matrix word, of a product (the accumulator being 22 bits "
+                            "wide, so that there is something to round), of a transformed "
+                            "coordinate, of a drawn sample's Z.");
 }
 
 // Y slowest: Z bits up, X/Y bits across.
