@@ -41,12 +41,18 @@ Turn turn_of(const hw::TransformPlan& t, int turn) {
     }
 }
 
+// Where products are cut they are put together from their passes, and added with the last.
+bool adds(const hw::TransformPlan& t, int pass) {
+    return t.spec().dropped_bits() == 0 || pass + 1 == t.passes();
+}
+
+std::string cut_name(const hw::TransformPlan& t) {
+    return fmt::format("without the low {} bits of a product", t.spec().dropped_bits());
+}
+
 // Which halves of coefficient and word a pass takes.
 std::string pass_name(const hw::TransformPlan& t, int pass) {
-    if (t.passes() == 1) {
-        const int dropped = t.spec().dropped_bits();
-        return dropped == 0 ? "" : fmt::format("without its low {} bits", dropped);
-    }
+    if (t.passes() == 1) return t.spec().dropped_bits() == 0 ? "" : cut_name(t);
     const bool both = t.coefficient_cut() > 0 && t.word_cut() > 0;
     const auto half = [](int cut, int number, const char* of) {
         return cut == 0 ? std::string(of)
@@ -80,7 +86,7 @@ void TransformTrace::products(TraceLog& log, const TracedPoint& p, int turn) {
                      signed_word(product[c], m.word_bits() + m.coefficient_bits,
                                  row_fraction(p, r)),
                      how);
-            sums[r] += product[c];
+            if (adds(p.plan.transform, now.pass)) sums[r] += product[c];
         }
     }
     sums_.push_back(sums);
@@ -97,7 +103,8 @@ void TransformTrace::accumulators(TraceLog& log, const TracedPoint& p, int turn)
     const Turn then = turn_of(p.plan.transform, turn);
     for (std::size_t r = then.first_row; r < then.first_row + then.rows; ++r)
         log.word(fmt::format("acc_{}", row_names[r]),
-                 row_word(p, r, p.flight.transform.accumulator[r]), "exact");
+                 row_word(p, r, p.flight.transform.accumulator[r]),
+                 p.spec().dropped_bits() == 0 ? "exact" : cut_name(p.plan.transform));
 }
 
 void TransformTrace::results(TraceLog& log, const TracedPoint& p, int turn) const {

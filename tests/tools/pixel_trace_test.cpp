@@ -191,7 +191,7 @@ void expect_functional(const PixelTrace& t, const WatchedFrame& frame, std::uint
     for (int r = 0; r < (frame.matrix().affine ? 3 : 4); ++r) {
         EXPECT_EQ(word_of(t, "accumulate", std::string("acc_") + rows[r]),
                   hw::accumulate(frame.matrix(), static_cast<hw::Row>(r), words,
-                                 s.machine.one_word()));
+                                 s.machine.one_word(), hw::product_cut(s.machine)));
         if (r == 3 || point.status != hw::DivideStatus::ok) continue;
         EXPECT_EQ(word_of(t, part, std::string("R_") + rows[r]), result[r]);
     }
