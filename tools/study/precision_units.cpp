@@ -76,15 +76,23 @@ hw::Words point(const Input& in) {
     return {x, y, static_cast<std::int32_t>((in[2] + in[3]) / 2)};
 }
 
-double affine_transform(const Input& in) {
+double affine_transform_by(const hw::MachineSpec& spec, const Input& in) {
     const hw::MatrixWords m = matrix(in, true);
     const hw::Words v = point(in);
-    const hw::Point p = hw::TransformUnit({}, m)(v);
+    const hw::Point p = hw::TransformUnit(spec, m)(v);
     const std::array<std::int64_t, 3> out{p.x, p.y, p.z};
     double worst = 0;
     for (std::size_t r = 0; r < 3; ++r)  // 14 bits of coefficient; 7 of fraction in and out
         worst = std::max(worst, magnitude(Wide{out[r]} * (1 << 14) - row(m, r, v)) / (1 << 14));
     return worst;
+}
+
+double affine_transform(const Input& in) { return affine_transform_by({}, in); }
+
+double short_transform(const Input& in) {
+    hw::MachineSpec spec;
+    spec.accumulator_most = 22;
+    return affine_transform_by(spec, in);
 }
 
 double perspective_transform(const Input& in) {
@@ -153,6 +161,9 @@ std::vector<PrecisionUnit> precision_units() {
         {"sine", "correctly rounded; 3 units of 2^-63 in its evaluation", sine_bound, 1,
          {26, 0, 0, 0}, true, sine},
         {"transform", once_behind, 0.5, 4, {16, 16, 16, 16}, false, affine_transform},
+        // Three products lose up to 2^13 - 1 each, of an LSB of 2^14; the fourth ends in 14 zeros.
+        {"transform, 22-bit accumulators", "three products cut by 13 bits, one rounding",
+         0.5 + 3 * 8191.0 / 16384, 4, {16, 16, 16, 16}, false, short_transform},
         {"transform with perspective divide", "exact sums, the quotient's certificate", 0.5, 4,
          {16, 16, 16, 16}, false, perspective_transform},
         {"Float38 add", "rounded once to 27 bits", 0.5, 4, {28, 6, 28, 6}, false, float_sum},
