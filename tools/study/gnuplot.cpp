@@ -3,6 +3,7 @@
 #include "tools/files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -47,6 +48,20 @@ std::string ticks(char axis, const std::vector<std::string>& names) {
     return text + (axis == 'x' ? ") rotate by 30 right\n" : ")\n");
 }
 
+// Powers of ten are enough over two decades; below, what lies between is labelled, too.
+std::string log_ticks(char axis, double least, double greatest) {
+    if (greatest >= 100 * least) return "";
+    const std::vector<double> between = greatest < 8 * least
+        ? std::vector<double>{1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9}
+        : std::vector<double>{1, 2, 5};
+    std::vector<std::string> places;
+    for (double ten = std::pow(10, std::floor(std::log10(least))); ten <= greatest; ten *= 10)
+        for (const double factor : between)
+            if (factor * ten >= least && factor * ten <= greatest)
+                places.push_back(fmt::format("{:.6g}", factor * ten));
+    return fmt::format("set {}tics ({})\n", axis, fmt::join(places, ", "));
+}
+
 // gnuplot's own range on a logarithmic axis goes to the next power of ten.
 std::string log_range(char axis, const std::vector<Series>& series) {
     double least = 0, greatest = 0;
@@ -59,12 +74,9 @@ std::string log_range(char axis, const std::vector<Series>& series) {
         }
     if (!(least > 0)) return "";
     const double room = std::max(std::pow(greatest / least, 0.06), 1.02);
-    std::string text = fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\nset format {0} "
-                                   "'%.3g'\n", axis, least / room, greatest * room);
-    // With no power of ten or a single one on the axis, its ends are labelled.
-    if (greatest < 10 * least)
-        text += fmt::format("set {}tics add ({}, {})\n", axis, least, greatest);
-    return text;
+    return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\nset format {0} '%g'\n{3}", axis,
+                       least / room, greatest * room,
+                       log_ticks(axis, least / room, greatest * room));
 }
 
 constexpr std::array colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
