@@ -162,8 +162,9 @@ std::vector<PrecisionUnit> precision_units() {
          {26, 0, 0, 0}, true, sine},
         {"transform", once_behind, 0.5, 4, {16, 16, 16, 16}, false, affine_transform},
         // Three products lose up to 2^13 - 1 each, of an LSB of 2^14; the fourth ends in 14 zeros.
-        {"transform, 22-bit accumulators", "three products cut by 13 bits, one rounding",
-         0.5 + 3 * 8191.0 / 16384, 4, {16, 16, 16, 16}, false, short_transform},
+        // Half an LSB is what is left to round, and that goes up.
+        {"transform, 22-bit accumulators", "three products cut down by 13 bits, rounded half up",
+         3 * 8191.0 / 16384, 4, {16, 16, 16, 16}, false, short_transform},
         {"transform with perspective divide", "exact sums, the quotient's certificate", 0.5, 4,
          {16, 16, 16, 16}, false, perspective_transform},
         {"Float38 add", "rounded once to 27 bits", 0.5, 4, {28, 6, 28, 6}, false, float_sum},
