@@ -112,11 +112,15 @@ bool accept(std::span<const GoldenCheck> checks, const Options& options, int siz
             FileSet& files) {
     bool all_right = true;
     for (const GoldenCheck& check : checks) {
-        if (check.problem.empty()) continue;
+        const Path picture = Path(options.out) / fmt::format("diff_{}.png", check.buffer);
+        if (check.problem.empty()) {
+            std::error_code none;
+            std::filesystem::remove(picture, none);  // of an earlier check
+            continue;
+        }
         all_right = false;
         std::string see;
         if (!check.picture.empty()) {
-            const Path picture = Path(options.out) / fmt::format("diff_{}.png", check.buffer);
             write_png_rgb(picture, size_px, size_px, check.picture, &files);
             see = fmt::format("; see {}", picture.string());
         }

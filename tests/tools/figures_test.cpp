@@ -173,6 +173,7 @@ TEST_F(Goldens, TheCommandChecks) {
     EXPECT_NE(blessed.second.find("Goldens written to " + folder.string()), std::string::npos);
     const auto right = run("--check --json");
     EXPECT_EQ(right.first, 0);
+    EXPECT_FALSE(fs::exists(out / "diff_picture6.png"));
     const auto report = parse_json(right.second);
     ASSERT_EQ(report["figures"].size(), 6u);
     for (const auto& figure : report["figures"]) {

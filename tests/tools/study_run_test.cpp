@@ -1,6 +1,8 @@
 // umbra78 study as a user runs it: interrupted and resumed, in shards, verified.
 #include "tests/support/effort.hpp"
 #include "tests/tools/program.hpp"
+#include "tools/patch_truth.hpp"
+#include "tools/study/study.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -177,6 +179,34 @@ TEST_F(Study, VerifyFindsAPlantedFigure) {
     EXPECT_EQ(wrong.exit_code, 1);
     EXPECT_EQ(wrong.out.find("a/error-time.csv: case 5: mask_hash is u8:32x32:fnv1a64:"), 0u);
     EXPECT_EQ(std::count(wrong.out.begin(), wrong.out.end(), '\n'), 1) << wrong.out;
+}
+
+// Every study, small, from its cases to its page; and some of its rows once more.
+TEST_F(Study, EachQuickRunEndsInItsPageAndIsVerified) {
+    if (umbra78::test::sanitized) GTEST_SKIP() << "minutes; their parts are tested alone";
+    EXPECT_GE(study::studies().size(), 6u);
+    for (const auto& each : study::studies()) {
+        const std::string name(each->name());
+        SCOPED_TRACE(name);
+        run_well("study " + name + " --quick --out " + name);
+        const auto made = contents(name);
+        EXPECT_TRUE(made.contains(name + ".csv") && made.contains("index.html"));
+        EXPECT_EQ(parse_json(made.at(name + ".json"))["failed_cases"], 0);
+        const Ran ran = run("study verify " + name + "/" + name + ".csv --sample 2");
+        EXPECT_EQ(ran.exit_code, 0) << ran.out;
+        EXPECT_NE(ran.out.find("2 of "), std::string::npos) << ran.out;
+    }
+}
+
+TEST_F(Study, OfAPatchOfOnesOwnNeedsEmbree) {
+    const Ran ran = run("study bias --quick --auto --vary xy_bits=7 " UMBRA78_SOURCE_DIR
+                        "/tools/scenes/lamp.toml --out a");
+    if (traces_patches()) {
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_EQ(ran.out.find("Least bias with under 0.1 % false shadow"), 0u) << ran.out;
+    } else {
+        EXPECT_NE(ran.err.find("install libembree-dev"), std::string::npos) << ran.err;
+    }
 }
 
 TEST_F(Study, ErrorsAreOneLine) {
