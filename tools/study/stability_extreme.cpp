@@ -140,11 +140,14 @@ std::vector<FrameCase> through_the_eye() {
         view + patch(crumpled(8, 5, 9)), {}, 200000);
     add("a huge crumpled patch through the eye", "ends",
         view + patch(crumpled(40, 5, 27)), {}, 200000);
-    add("a lamp behind half of the scene", "W of the light is 0 across the picture",
+    const std::string lamp =
         std::string(front) + "[light]\nkind = \"point\"\nposition = [-0.5, 0.25, 0.25]\n"
         "target = [2, 0, 0]\nextent = 1\nnear = 0.01\nfar = 8\n"
-        "[[plane]]\norigin = [-2, -2, 0]\nu = [4, 0, 0]\nv = [0, 4, 0]\n" +
-            "[[sphere]]\ncentre = [1, 0, 0.25]\nradius = 0.25\n");
+        "[[plane]]\norigin = [-2, -2, 0]\nu = [4, 0, 0]\nv = [0, 4, 0]\n"
+        "[[sphere]]\ncentre = [1, 0, 0.25]\nradius = 0.25\n";
+    add("a lamp behind half of the scene", "W of the light is 0 across the picture", lamp);
+    add("a lamp behind half of the scene, 24-bit accumulators", "W is cut before it divides", lamp,
+        {"accumulator_bits=24"});
     return all;
 }
 
@@ -169,6 +172,9 @@ std::vector<FrameCase> widths() {
     add("8-bit coefficients", "a matrix of 7 bits and a sign", {"coefficient_bits=8"});
     add("32-bit coefficients", "the widest accumulator", {"coefficient_bits=32", "z_bits=24"});
     add("no fraction", "texels by whole numbers", {"fraction_bits=0"});
+    add("16-bit accumulators", "each product is cut to a pixel's fourth", {"accumulator_bits=16"});
+    add("16-bit accumulators, the widest words", "43 bits of each product are cut",
+        {"accumulator_bits=16", "coefficient_bits=32", "z_bits=24"});
     return all;
 }
 

@@ -21,7 +21,7 @@ double real(const fixed::Rational& r) {
     return std::ldexp(static_cast<double>(word), log2 - 60);
 }
 
-// A row's value at a point, and what rounding its coefficients may add to it.
+// A row's value at a point, and what rounding its coefficients and cutting its products may add.
 struct RowValue {
     double value, doubt;
 };
@@ -52,6 +52,8 @@ RowValue at(const Matrix& m, std::size_t row, const hw::MatrixWords& words,
         sum.doubt += std::abs(in[j]) * coefficient_lsb / 2;
     }
     sum.doubt += std::ldexp(magnitude, -46);
+    if (spec.dropped_bits() > 0)
+        sum.doubt += 4 * std::ldexp(coefficient_lsb * scale, spec.dropped_bits());
     return sum;
 }
 
