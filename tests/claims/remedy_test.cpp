@@ -129,5 +129,27 @@ TEST(Widths, FourBitsOfZAreWorthLessThanOneOfXAndY) {
     }
 }
 
+// Figure 3's settings but for the lookup.
+TEST(Widths, AnAccumulatorOf22BitsIsEnough) {
+    const Ground ground;
+    for (const Lookup lookup : {Lookup::nearest, Lookup::bilinear}) {
+        const auto with_bits = [&](int bits) {
+            Settings s = figure_settings(3);
+            s.lookup = lookup;
+            s.machine.accumulator_most = bits;
+            return shadow_error(ground.truth, Machine(s).compared());
+        };
+        const ShadowError exact = with_bits(35), enough = with_bits(22), little = with_bits(16);
+        std::printf("%s: false shadow %.4f and false light %.4f with 35 bits, %.4f and %.4f with "
+                    "22, %.4f and %.4f with 16\n", name(lookup), exact.false_shadow_rate(),
+                    exact.false_light_rate(), enough.false_shadow_rate(),
+                    enough.false_light_rate(), little.false_shadow_rate(),
+                    little.false_light_rate());
+        EXPECT_LT(std::abs(enough.false_shadow_rate() - exact.false_shadow_rate()), 0.001);
+        EXPECT_LT(std::abs(enough.false_light_rate() - exact.false_light_rate()), 0.001);
+        EXPECT_GT(little.false_shadow_rate() - exact.false_shadow_rate(), 0.01);
+    }
+}
+
 }  // namespace
 }  // namespace umbra78::claims
