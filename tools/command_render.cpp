@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -109,8 +110,9 @@ void print_rows(const Options& options, const Rendered& rendered) {
                percent(error.all.false_shadow_rate()), percent(error.all.false_light_rate()),
                percent(error.outside_band.false_shadow_rate()),
                percent(error.outside_band.false_light_rate()), error.isolated_pixels);
-    fmt::print("edge        {:.2f} pixels from the true one in the mean, {:.1f} at most\n",
-               error.edge.mean, error.edge.hausdorff);
+    if (!std::isnan(error.edge.mean))
+        fmt::print("edge        {:.2f} pixels from the true one in the mean, {:.1f} at most\n",
+                   error.edge.mean, error.edge.hausdorff);
     if (error.tessellation_error)
         fmt::print("truth       traced by Embree: {} % of the pixels answer otherwise with half as "
                    "many triangles a side\n", percent(error.tessellation_error));

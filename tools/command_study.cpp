@@ -85,7 +85,7 @@ void add_study(const Command& above, const Study& study) {
                      "Scene file (TOML); without one, the paper's scene");
         command.texts("--vary", options->vary, "KEY=VALUES",
                       "key=first:last:step or key=value,value: a setting, profile, observer.KEY or "
-                      "light.KEY; in place of the study's values of that key");
+                      "light.KEY; in place of the study's values of that key, or crossed with all");
     }
     command.text("--out", options->out, "DIR", "Folder for the files; default: out/" + name);
     command.flag("--quick", options->quick, "A small grid: seconds");
@@ -124,6 +124,7 @@ void add_verify(const Command& above, int& exit_code) {
                     "Render rows of a study's CSV again, and compare every figure but host times");
     command.text("csv", options->scene, "FILE.csv", "The CSV; its NAME.json beside it").required();
     command.number("--sample", options->sample, "N", "How many rows, by a fixed seed")
+        .range(1, 1 << 20)
         .default_shown();
     command.footer("Example:\n  umbra78 study verify out/error-time/error-time.csv --sample 20");
     command.runs([options, &exit_code] {
@@ -132,8 +133,10 @@ void add_verify(const Command& above, int& exit_code) {
         if (!verified.differences.empty()) {
             exit_code = 1;
         } else {
-            fmt::print("{}: {} of {} rows rendered again, no difference\n", options->scene,
-                       verified.sampled, verified.rows);
+            fmt::print("{}: {} of {} rows rendered again, no difference{}\n", options->scene,
+                       verified.sampled, verified.rows,
+                       verified.sampled < verified.rows
+                           ? fmt::format("; --sample {} for all", verified.rows) : "");
         }
     });
 }

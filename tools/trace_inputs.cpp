@@ -95,7 +95,10 @@ void trace_words(TraceLog& log, const TracedPoint& p, std::uint64_t let_go) {
         log.word(fmt::format("acc_{}", row_names[r]),
                  signed_word(p.flight.transform.accumulator[r], m.accumulator_bits(),
                              m.coefficient_bits - 2 + fraction - p.matrix().exponent[r]),
-                 fmt::format("starts from c_{}3 one", row_names[r]));
+                 fmt::format("starts from c_{}3 one{}", row_names[r],
+                             m.dropped_bits() == 0
+                                 ? ""
+                                 : fmt::format(", without its low {} bits", m.dropped_bits())));
 }
 
 }  // namespace umbra78::tools

@@ -145,11 +145,12 @@ def observer_to_light(observer, light, bias):
 class TransformUnit:
     """An affine matrix as words, for input words with fraction f and the given `one`."""
 
-    def __init__(self, matrix, f, one, dropped=0):
+    def __init__(self, matrix, f, one, dropped=0, nearest=False):
         *rows, (wx, wy, wz, m) = matrix
         assert wx == wy == wz == 0  # m is row W's entry before its division by v1
         scale = (1 / m, 1 / m, 1 / m, Fraction(1 << f, one) / m)
         self.f, self.one, self.place = f, one, 1 << dropped
+        self.up = self.place // 2 if nearest else 0  # half up, or the floor
         self.rows = [self.load([a * b for a, b in zip(row, scale)]) for row in rows]
 
     @staticmethod
@@ -166,7 +167,8 @@ class TransformUnit:
         """The results X, Y, Z, with out[r] fraction bits."""
         results = []
         for (words, e), bits in zip(self.rows, out):
-            acc = sum(a * b // self.place * self.place for a, b in zip(words, (*point, self.one)))
+            acc = sum((a * b + self.up) // self.place * self.place
+                      for a, b in zip(words, (*point, self.one)))
             s = C - 2 + self.f - bits - e
             results.append(half_up(acc, 1 << s) if s >= 0 else acc << -s)
         return results
@@ -437,8 +439,8 @@ def bilinear(light_z, x, y, k):
                         + fy * ((q - fx) * texel(tx, ty + 1) + fx * texel(tx + 1, ty + 1)))
 
 
-def shadow_mask(observer_z, light_z, matrix, lookup, dither=None, accumulator=64):
-    unit = TransformUnit(matrix, I, ONE, max(0, XY_BITS + I + C + 3 - accumulator))
+def shadow_mask(observer_z, light_z, matrix, lookup, dither=None, accumulator=64, near=False):
+    unit = TransformUnit(matrix, I, ONE, max(0, XY_BITS + I + C + 3 - accumulator), near)
     mask = [0] * (N * N)
     for p, c in enumerate(observer_z):
         if c == BACKGROUND:
@@ -649,6 +651,9 @@ def figures():
     yield "mask3_short", 1, shadow_mask(observer_z, light_z,
                                         observer_to_light(observer, light, 64), nearest,
                                         accumulator=22)
+    yield "mask3_shorter", 1, shadow_mask(observer_z, light_z,
+                                          observer_to_light(observer, light, 100), nearest,
+                                          accumulator=16, near=True)
     yield "mask3_ap120b", 1, array_mask(observer_z, light_z,
                                         observer_to_light(observer, light, 64), array_nearest)
     noise = dither_words(0x12345678, 12, 256)

@@ -130,6 +130,39 @@ TEST(Variants, short_accumulator) {
                       hash<std::uint8_t>(f.buffers.mask, 512));
 }
 
+// The constant of each row is cut, too: 100 quanta of bias are no multiple of what is left.
+TEST(Variants, shorter_accumulator_rounded) {
+    const test::FigureScene s;
+    Settings set = figure_settings(3);
+    set.machine.accumulator_most = 16;
+    set.machine.product_rounding = fixed::Rounding::half_up;
+    set.bias_q16 = 100 << 16;
+    const test::Frame<> f(s.scene(), set);
+    ASSERT_EQ(f.status, FrameStatus::ok);
+    expect_documented("a shorter one, rounded | A = 16, product_rounding half_up, bias 100",
+                      "mask3_shorter", hash<std::uint8_t>(f.buffers.mask, 512));
+}
+
+TEST(Variants, short_accumulators_that_divide_or_draw) {
+    FloorScene floor;
+    Settings set = figure_four();
+    set.machine.coefficient_bits = 24;
+    set.machine.accumulator_most = 22;
+    const Scene scene{floor.patches, floor.materials, floor.perspective_observer(),
+                      floor.point_light()};
+    const test::Frame<> divided(scene, set);
+    ASSERT_EQ(divided.status, FrameStatus::ok);
+    expect_documented("point, A = 22", "mask", hash<std::uint8_t>(divided.buffers.mask, 512));
+
+    const test::FigureScene s;
+    Settings correct = figure_four();
+    correct.form = Form::correct;
+    correct.machine.accumulator_most = 20;
+    const test::Frame<> drawn(s.scene(), correct);
+    ASSERT_EQ(drawn.status, FrameStatus::ok);
+    expect_documented("correct, A = 20", "mask", hash<std::uint8_t>(drawn.buffers.mask, 512));
+}
+
 TEST(Variants, index_registration) {
     test::FigureScene s;
     Settings set = figure_settings(3);

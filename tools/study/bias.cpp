@@ -7,6 +7,7 @@
 #include "tools/study/bias_report.hpp"
 #include "tools/study/bias_search.hpp"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -19,7 +20,7 @@ class BiasStudy : public Study {
 public:
     std::string_view name() const override { return "bias"; }
     std::string_view meaning() const override {
-        return "which bias, in which unit: both errors over bias, and the least that suffices";
+        return "Which bias, in which unit: both errors over bias, and the least that suffices";
     }
     Takes takes() const override { return {true, true}; }
     std::vector<Case> cases(const Request&) const override;
@@ -62,8 +63,9 @@ Request without_bias(Request request) {
 }
 
 std::vector<Case> BiasStudy::cases(const Request& request) const {
-    const Request search = without_bias(request);
-    if (request.automatic) return searches(grid(search, {unit}));
+    constexpr std::array<std::string_view, 2> swept{"xy_bits", "z_bits"};
+    if (request.automatic) return searches(grid(without_bias(request), {unit}));
+    const Request sweep = for_sweep(request, swept, {}), search = without_bias(sweep);
     std::vector<Axis> axes{{"sampling", {"centre", "leaf"}},
                            {"lookup", {"nearest", "bilinear"}},
                            {"dither", {"none", "uniform", "triangular", "normal4", "normal"}},
@@ -77,15 +79,24 @@ std::vector<Case> BiasStudy::cases(const Request& request) const {
     }
     std::vector<Case> all = joined({}, searches(grid(search, axes)));
     axes.push_back({"bias", biases});
-    all = joined(std::move(all), sweeps(grid(request, axes)));
+    all = joined(std::move(all), sweeps(grid(sweep, axes)));
 
     // Beside the scene's own widths, which are above.
-    std::vector<Axis> widths{{"lookup", {"nearest", "bilinear"}}, {"dither", {"none"}}, unit, {}};
     const hw::MachineSpec& own = request.scene.settings.machine;
-    widths.back() = {"xy_bits", other(request.quick ? "8" : "7 8 10", own.xy_bits)};
-    all = joined(std::move(all), searches(grid(search, widths)));
-    widths.back() = {"z_bits", other(request.quick ? "12" : "12 14 20", own.z_bits)};
-    return joined(std::move(all), searches(grid(search, widths)));
+    const auto add_width = [&](std::string_view key, const char* values, int its_own) {
+        Request only = without_bias(for_sweep(request, swept, std::array{key}));
+        for (auto& [varied, asked] : only.vary)
+            if (varied == key) std::erase(asked, std::to_string(its_own));
+        std::erase_if(only.vary, [](const Axis& axis) { return axis.second.empty(); });
+        const std::vector<Axis> axes_of_width{{"lookup", {"nearest", "bilinear"}},
+                                              {"dither", {"none"}},
+                                              unit,
+                                              {std::string(key), other(values, its_own)}};
+        all = joined(std::move(all), searches(grid(only, axes_of_width)));
+    };
+    add_width("xy_bits", request.quick ? "8" : "7 8 10", own.xy_bits);
+    add_width("z_bits", request.quick ? "12" : "12 14 20", own.z_bits);
+    return all;
 }
 
 Row BiasStudy::run(const Request& request, const Case& c) const {

@@ -117,8 +117,7 @@ void table_least(const Rows& searches, const Rows& rates, Report& report) {
         "a dither of d texels adds d T), and the most pixels outside the band that are in false "
         "shadow at a tested bias beyond their own bound: what curvature and rounding add to it. "
         "False light and gap are those at the least bias outside the band; the gap is how far "
-        "behind its caster a shadow begins. 'none': an eighth of the depth range does not "
-        "suffice: what is left is at the edges, where no bias helps."));
+        "behind its caster a shadow begins. 'none': none up to an eighth of the depth range."));
 }
 
 // The power of the texel that the least bias in world units grows as: least squares of logarithms.
@@ -145,12 +144,13 @@ void answer_unit(const Rows& searches, Report& report) {
             }
             if (of_key.size() < 2) continue;
             const auto spreads = unit_spreads(of_key);
+            if (spreads.empty()) continue;  // no bias is needed, or none suffices
             std::string words;
             for (const UnitSpread& u : spreads) {
                 words += fmt::format("{}{:.3g} in {}", words.empty() ? "" : ", ", u.spread, u.unit);
                 json[key][lookup][u.unit] = u.spread;
             }
-            if (key == std::string("xy_bits"))
+            if (key == std::string("xy_bits") && std::isfinite(growth(of_key)))
                 words += fmt::format("; in world units it grows as the texel to the power {:.2f} "
                                      "(1 on a plane, 1/2 on a sphere up to a texel from its limb, "
                                      "0 where the quantum decides)", growth(of_key));
@@ -167,8 +167,8 @@ void answer_scene(const Row& row, Report& report) {
     }
     report.paragraph(fmt::format(
         "Least bias with under 0.1 % false shadow more than a light texel from a shadow's edge "
-        "({} lookup, dither {}, {} sampling): {} quanta = {} texels = {} world units. False light "
-        "there: {:.2f} %, shadows begin {} world units behind their casters. Edges and all: {} "
+        "({} lookup, dither {}, {} sampling): {} quanta = {} texels = {} world units. With it "
+        "{:.2f} % of the shadowed pixels are lit, edges and all, and shadows begin {} world units behind their casters. The least bias, edges and all: {} "
         "quanta.",
         row.text("lookup"), row.text("dither"), row.text("sampling"),
         figure(row, "least_outside_quanta"), figure(row, "least_outside_texels"),
@@ -178,6 +178,23 @@ void answer_scene(const Row& row, Report& report) {
         const double least = row.number(std::string("least_outside_") + unit);
         if (!std::isnan(least)) report.summary()["least_bias"][unit] = least;
     }
+}
+
+void report_all(std::span<const Row> rows, Report& report) {
+    const Rows searches = measured(rows, "least");
+    plot_rates(measured(rows, "rates"), report);
+    table_least(searches, measured(rows, "rates"), report);
+    answer_unit(searches, report);
+    auto& json = report.summary()["least_bias_quanta"];
+    for (const Row& row : searches)
+        json.push_back({{"sampling", row.text("sampling")},
+                        {"lookup", row.text("lookup")},
+                        {"dither", row.text("dither")},
+                        {"xy_bits", row.number("xy_bits")},
+                        {"z_bits", row.number("z_bits")},
+                        {"overall", row.number("least_quanta")},
+                        {"outside_band", row.number("least_outside_quanta")},
+                        {"bound_outside_band", row.number("bound_outside_quanta")}});
 }
 
 }  // namespace
@@ -199,25 +216,14 @@ std::vector<UnitSpread> unit_spreads(std::span<const Row> rows) {
     return spreads;
 }
 
-void report_bias(const Request& request, std::span<const Row> rows, Report& report) {
-    const Rows searches = measured(rows, "least");
-    if (request.automatic) {
-        if (!rows.empty()) answer_scene(rows[0], report);
-        return;
-    }
-    plot_rates(measured(rows, "rates"), report);
-    table_least(searches, measured(rows, "rates"), report);
-    answer_unit(searches, report);
-    auto& json = report.summary()["least_bias_quanta"];
-    for (const Row& row : searches)
-        json.push_back({{"sampling", row.text("sampling")},
-                        {"lookup", row.text("lookup")},
-                        {"dither", row.text("dither")},
-                        {"xy_bits", row.number("xy_bits")},
-                        {"z_bits", row.number("z_bits")},
-                        {"overall", row.number("least_quanta")},
-                        {"outside_band", row.number("least_outside_quanta")},
-                        {"bound_outside_band", row.number("bound_outside_quanta")}});
+void report_bias(const Request& request, std::span<const Row> all, Report& report) {
+    constexpr std::array<std::string_view, 7> told{"sampling", "lookup", "dither", "bias",
+                                                   "bias_unit", "xy_bits", "z_bits"};
+    const std::size_t told_of_an_answer = 5;  // an answer says nothing of widths
+    for_combinations(request, std::span(told).first(request.automatic ? told_of_an_answer : 7), all, report, [&](std::span<const Row> rows, Report& some) {
+        if (!request.automatic) return report_all(rows, some);
+        for (const Row& row : rows) answer_scene(row, some);
+    });
 }
 
 }  // namespace umbra78::tools::study

@@ -20,9 +20,13 @@ void set_overrides(Row& row, const Case& c) {
     }
 }
 
-void set_settings(Row& row, const shadow::Settings& settings) {
-    const Row as_json = row_of(settings_json(settings));
+void set_settings(Row& row, const std::optional<shadow::Settings>& settings) {
+    const Row as_json = row_of(settings_json(settings.value_or(shadow::Settings{})));
     for (const auto& [key, value] : as_json.cells()) {
+        if (!settings) {
+            row.set(key, Value());
+            continue;
+        }
         const auto* real = std::get_if<double>(&value);
         const bool whole = real != nullptr && *real == static_cast<double>(std::int64_t(*real));
         row.set(key, whole ? Value(std::int64_t(*real)) : value);
@@ -33,6 +37,10 @@ bool is_host_time(const std::string& column) { return column.ends_with("_host_ms
 
 }  // namespace
 
+std::optional<shadow::Settings> Study::settings(const Request& request, const Case& c) const {
+    return scene_of(request, c).settings;
+}
+
 Row run_case(const Asked& asked, std::size_t index, const Case& c) {
     Row row;
     row.set("case", static_cast<std::int64_t>(index));
@@ -40,7 +48,7 @@ Row run_case(const Asked& asked, std::size_t index, const Case& c) {
     set_overrides(row, c);
     for (const auto& [column, value] : c.extra) row.set(column, value);
     try {
-        set_settings(row, scene_of(asked.request, c).settings);
+        set_settings(row, asked.study->settings(asked.request, c));
         row.set("status", std::string("ok"));
         const Row figures = asked.study->run(asked.request, c);
         for (const auto& [column, value] : figures.cells())

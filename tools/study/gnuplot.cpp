@@ -79,8 +79,8 @@ std::string log_range(char axis, const std::vector<Series>& series) {
                        log_ticks(axis, least / room, greatest * room));
 }
 
-constexpr std::array colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
-                             "#333333", "#d55e00", "#56b4e9", "#999933"};
+constexpr std::array colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#333333", "#d55e00",
+                             "#56b4e9", "#999933", "#7a3b9a", "#8b4513", "#b0b000", "#888888"};
 
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{}", value) : "NaN";
@@ -101,7 +101,7 @@ std::string output_of(const std::string& command, int& status) {
 
 std::string script_of(const Plot& plot) {
     std::string text = head(plot.name, plot.title, plot.x_label, plot.y_label);
-    text += "set grid\nset key outside below\n";
+    text += "set grid\nset key below\nset xlabel offset 0,0.5\n";
     if (plot.log_x) text += log_range('x', plot.series);
     if (plot.log_y) text += log_range('y', plot.series);
     for (std::size_t k = 0; k < colours.size(); ++k)

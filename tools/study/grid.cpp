@@ -34,6 +34,17 @@ std::vector<Case> grid(const Request& request, std::vector<Axis> axes) {
     return cases;
 }
 
+Request for_sweep(Request request, std::span<const std::string_view> own,
+                  std::span<const std::string_view> keys) {
+    const auto holds = [](std::span<const std::string_view> list, std::string_view key) {
+        return std::find(list.begin(), list.end(), key) != list.end();
+    };
+    std::erase_if(request.vary, [&](const Axis& axis) {
+        return axis.second.size() > 1 && holds(own, axis.first) && !holds(keys, axis.first);
+    });
+    return request;
+}
+
 std::vector<Case> joined(std::vector<Case> first, const std::vector<Case>& more) {
     for (const Case& c : more) {
         const auto is_it = [&](const Case& there) {

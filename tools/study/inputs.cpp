@@ -39,7 +39,9 @@ ordered_json inputs_of(const Study& study, const Request& request) {
     return json;
 }
 
-std::string hash_of(const ordered_json& inputs, const std::vector<Case>& cases) {
+// Of all but the scene's path: the same scene may lie elsewhere on another computer.
+std::string hash_of(ordered_json inputs, const std::vector<Case>& cases) {
+    inputs.erase("scene_file");
     std::string text = print_line(inputs);
     for (const Case& c : cases) {
         ordered_json extra = ordered_json::array();

@@ -17,7 +17,7 @@ class MoireStudy : public Study {
 public:
     std::string_view name() const override { return "moire"; }
     std::string_view meaning() const override {
-        return "is the error a pattern: its spectrum before and after each remedy";
+        return "Is the error a pattern: its spectrum before and after each remedy";
     }
     std::vector<Case> cases(const Request&) const override;
     Row run(const Request&, const Case&) const override;

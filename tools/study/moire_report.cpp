@@ -125,13 +125,15 @@ void picture_spectra(const Request& request, const char* ground, Report& report)
             n = 64;
             power = periodogram(busiest_window(truth, frame.shown(), n), n);
         }
+        const bool none = std::all_of(power.begin(), power.end(), [](double p) { return p == 0; });
         report.picture(fmt::format("spectrum-{}-{}", ground, remedy.name), n, n,
                        spectrum_picture(power, n),
                        fmt::format("Spectrum of the error of {}, {}; zero frequency is in the "
-                                   "middle, white the highest bin, black four decades below.",
+                                   "middle, white the highest bin, black four decades below.{}",
                                    frame.window_px > 0 ? "the plane"
                                                        : "the lit window with the most errors",
-                                   remedy.title));
+                                   remedy.title, none ? " No pixel of it is wrong: it is black."
+                                                      : ""));
     }
     if (!radial.series.empty())
         report.plot(radial, "Power in rings round zero frequency, of the mean of the window's "
@@ -151,14 +153,19 @@ void tell_controls(std::span<const Row> rows, Report& report) {
                         {"control", restarted ? "restarted rows" : "a quarter texel"},
                         {"verdict", verdict(row)}});
     }
-    const auto passed = std::count_if(json.begin(), json.end(), [](const auto& control) {
-        return control["verdict"] == "noise";
-    });
+    const auto count = [&](std::string_view verdict) {
+        return std::count_if(json.begin(), json.end(), [&](const auto& control) {
+            return control["verdict"] == verdict;
+        });
+    };
     report.paragraph(fmt::format(
         "Negative controls: {} cases of a quarter texel of dither with nearest lookup, or of a "
-        "generator started anew in every row; {} of them pass for noise. With bilinear lookup a "
-        "narrow dither is no control: interpolation has taken the pattern away by itself.",
-        json.size(), passed));
+        "generator started anew in every row; {} of them pass for noise, {} leave no error to "
+        "measure. With bilinear lookup a narrow dither is no control: interpolation has taken the "
+        "pattern away by itself. A pattern is, on the plane, a peak that white noise has once in "
+        "1000 windows (Fisher's g); in the scene, a flatness of {} or less, and noise {} or more.",
+        json.size(), count("noise"), count("no errors"), most_periodic_flatness,
+        least_noise_flatness));
 }
 
 void tell_beat(std::span<const Row> rows, Report& report) {
@@ -167,7 +174,7 @@ void tell_beat(std::span<const Row> rows, Report& report) {
             !is(row, "dither", "none") || std::isnan(row.number("peak_period_px")))
             continue;
         report.paragraph(fmt::format(
-            "The plane's moire: predicted from the two grids, a beat of {} px at ({}, {}) cycles a "
+            "The moire of a slanted plane, the study's own: predicted from the two grids, a beat of {} px at ({}, {}) cycles a "
             "pixel; measured, a peak of {} times the mean, {} px at ({}, {}), harmonic ({}, {}).",
             figure(row, "beat_period_px", "{:.3f}"), figure(row, "beat_u", "{:.4f}"),
             figure(row, "beat_v", "{:.4f}"), figure(row, "peak_over_mean", "{:.0f}"),
@@ -223,12 +230,15 @@ void report_moire(const Request& request, std::span<const Row> all, Report& repo
     std::vector<Row> rows;
     for (const Row& row : all)
         if (is(row, "status", "ok")) rows.push_back(row);
-    tell_beat(rows, report);
-    tell_controls(rows, report);
-    table_scene(rows, report);
-    table_plane(rows, report);
-    plot_sizes(rows, "scene", "flatness", "flatness", false, report);
-    plot_sizes(rows, "plane", "peak_over_mean", "peak over mean", true, report);
+    constexpr std::array<std::string_view, 3> told{"lookup", "dither", "dither_size"};
+    for_combinations(request, told, rows, report, [](std::span<const Row> some, Report& to) {
+        tell_beat(some, to);
+        tell_controls(some, to);
+        table_scene(some, to);
+        table_plane(some, to);
+        plot_sizes(some, "scene", "flatness", "flatness", false, to);
+        plot_sizes(some, "plane", "peak_over_mean", "peak over mean", true, to);
+    });
     picture_spectra(request, "plane", report);
     if (request.quick) return;
     picture_spectra(request, "scene", report);

@@ -46,9 +46,12 @@ class Precision : public Study {
 public:
     std::string_view name() const override { return "precision"; }
     std::string_view meaning() const override {
-        return "the worst error of each fixed-point unit, against its bound";
+        return "The worst error of each fixed-point unit, against its bound";
     }
     Takes takes() const override { return {false, false}; }
+    std::optional<shadow::Settings> settings(const Request&, const Case&) const override {
+        return std::nullopt;
+    }
 
     std::vector<Case> cases(const Request&) const override {
         std::vector<Case> all;
@@ -89,9 +92,8 @@ public:
             worst = std::max(worst, r.number("over_bound"));
         }
         report.summary()["greatest_over_bound"] = worst;
-        report.paragraph(fmt::format("The greatest error over its bound is {}; 1 is reached by "
-                                     "ties, which are half an LSB off whichever way they go.",
-                                     worst));
+        report.paragraph(fmt::format("The greatest error over its bound is {}. A tie reaches 1: "
+                                     "it is half an LSB off whichever way it goes.", worst));
         report.table(table, "The worst that was found, as words.");
         report.plot(plot, "How the errors are spread from 0 to the bound. Climbing makes the "
                           "drawn ones heavier at the bound than a frame's are.");

@@ -75,6 +75,15 @@ constexpr Shown shown[] = {
      "A folded patch 80 units wide with the eye inside: drawn to its end."},
 };
 
+// Nothing where the case is refused.
+std::optional<shadow::Settings> settings_of(const FrameCase& c) {
+    try {
+        return parse_scene(c.scene, std::string(c.name), c.set).settings;
+    } catch (const SceneError&) {
+        return std::nullopt;
+    }
+}
+
 // The row's frame drawn once more; its picture.
 void show(const Shown& s, const Effort& effort, Report& report) {
     for (const FrameCase& c : frames()) {
@@ -88,9 +97,14 @@ class Stability : public Study {
 public:
     std::string_view name() const override { return "stability"; }
     std::string_view meaning() const override {
-        return "stiff and extreme cases: status, error within its bound, an end";
+        return "Stiff and extreme cases: status, error within its bound, an end";
     }
     Takes takes() const override { return {false, false}; }
+    std::optional<shadow::Settings> settings(const Request&, const Case& c) const override {
+        for (const FrameCase& frame : frames())
+            if (frame.name == c.name) return settings_of(frame);
+        return std::nullopt;
+    }
 
     std::vector<Case> cases(const Request&) const override {
         std::vector<Case> all;

@@ -13,6 +13,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -84,6 +85,8 @@ public:
     virtual Takes takes() const { return {}; }
     // Full or quick; a grid() of the keys the study varies by itself, as a rule.
     virtual std::vector<Case> cases(const Request&) const = 0;
+    // What the case is drawn with; nothing where it is no frame.
+    virtual std::optional<shadow::Settings> settings(const Request&, const Case&) const;
     // The figures of a case. The framework puts the case's name, its extra columns, every setting
     // and "status" before them: "ok", or what was thrown, which is part of the row. Called from
     // several threads at once.
@@ -102,11 +105,21 @@ std::unique_ptr<Study> make_precision_study();
 std::unique_ptr<Study> make_stability_study();
 
 // The grid of all combinations, the first key slowest; --vary's values in place of the defaults,
-// and its other keys after them.
+// and its other keys after them, crossed with all.
 using Axis = std::pair<std::string, std::vector<std::string>>;
 std::vector<Case> grid(const Request&, std::vector<Axis> defaults);
 // The cases of the first grid, then those of `more` that are not among them.
 std::vector<Case> joined(std::vector<Case> first, const std::vector<Case>& more);
+
+// The request for a sweep of `keys`, of a study that sweeps `own`: a key of its own that is given
+// several values has them in its own sweep, and is not crossed with the others.
+Request for_sweep(Request, std::span<const std::string_view> own,
+                  std::span<const std::string_view> keys);
+// Calls tell(rows, report) for each combination of the keys of --vary that are not `own`: what is
+// told, plotted and summed up of one combination is not mixed with another's, and says which.
+using Tell = std::function<void(std::span<const Row>, Report&)>;
+void for_combinations(const Request&, std::span<const std::string_view> own, std::span<const Row>,
+                      Report&, const Tell& tell);
 
 // The scene with a case's overrides. Throws SceneError.
 LoadedScene scene_of(const Request&, const Case&);

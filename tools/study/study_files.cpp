@@ -96,8 +96,9 @@ StudyDone write_files(const Asked& asked, const std::map<std::size_t, Row>& by_c
     done.summary = summary_of(asked, done, page, page.summary());
     write_text(folder / (name + ".json"), tools::print(done.summary), files);
     const std::string lead = fmt::format(
-        "{}. Scene: {}; {} cases, each a row of {}.csv.", asked.study->meaning(),
-        asked.request.scene_file, rows.size(), name);
+        "{}. {}{} cases, each a row of {}.csv.", asked.study->meaning(),
+        asked.study->takes().scene ? fmt::format("Scene: {}; ", asked.request.scene_file) : "",
+        rows.size(), name);
     write_text(folder / "index.html", page.page("umbra78 study " + name, lead), files);
     files.commit();
     done.paragraphs = page.paragraphs();

@@ -3,13 +3,14 @@
 // One width or rounding at a time, from the scene's values (1978's in the paper's scene), and X/Y
 // against Z on a grid. The bias is half a texel of the scene's own light map, figure 3's, kept in
 // world units: then every machine is asked for the same gap, and a coarser map shows all of its
-// error. Where X and Y vary it is also kept in texels, which grows with them. The accumulator is
-// not among the widths: it follows from theirs, so that no sum is rounded or overflows.
+// error. Where X and Y vary it is also kept in texels, which grows with them.
 #include "tools/study/measures.hpp"
 #include "tools/study/widths_report.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace umbra78::tools::study {
@@ -17,16 +18,29 @@ namespace {
 
 using Values = std::vector<std::string>;
 
+// One at a time, in a sweep of its own.
+constexpr std::array<std::string_view, 9> swept_keys{
+    "xy_bits",          "z_bits",           "coefficient_bits",   "accumulator_bits",
+    "fraction_bits",    "coefficient_rounding", "product_rounding", "transform_rounding",
+    "depth_rounding"};
+// What the report tells apart.
+constexpr std::array<std::string_view, 11> told_keys{
+    "xy_bits",          "z_bits",           "coefficient_bits",   "accumulator_bits",
+    "fraction_bits",    "coefficient_rounding", "product_rounding", "transform_rounding",
+    "depth_rounding",   "lookup",           "bias_unit"};
+
 class WidthsStudy : public Study {
 public:
     std::string_view name() const override { return "widths"; }
     std::string_view meaning() const override {
-        return "which width buys what: bits of X, Y, Z, matrix and fraction, and each rounding";
+        return "Which width buys what: bits of X, Y, Z, matrix, accumulator and fraction; roundings";
     }
     std::vector<Case> cases(const Request&) const override;
     Row run(const Request&, const Case&) const override;
-    void report(const Request&, std::span<const Row> rows, Report& report) const override {
-        report_widths(rows, report);
+    void report(const Request& request, std::span<const Row> all, Report& to) const override {
+        for_combinations(request, told_keys, all, to, [&](std::span<const Row> rows, Report& some) {
+            report_widths(request, rows, some);
+        });
     }
 
 private:
@@ -52,16 +66,22 @@ std::vector<Axis> widths(bool quick) {
                                   "35"}},
             {"fraction_bits", {"0", "1", "2", "3", "4", "5", "6", "7", "8", "10"}},
             {"coefficient_rounding", roundings},
+            {"product_rounding", roundings},
             {"transform_rounding", roundings},
             {"depth_rounding", roundings}};
 }
 
 std::vector<Case> WidthsStudy::cases(const Request& request) const {
     const auto of = [&](std::string_view varies, std::vector<Axis> axes) {
+        if (varies == "product_rounding")  // an accumulator that cuts, or there is nothing to round
+            axes.push_back({"accumulator_bits", {"22"}});
         for (const Axis& shared : std::vector<Axis>{
                  {"dither", {"none"}}, {"dequantize", {"0"}}, {"low_pass", {"0"}}})
             axes.push_back(shared);
-        std::vector<Case> cases = grid(request, std::move(axes));
+        const auto keys = varies == "xy_bits and z_bits"
+                              ? std::vector<std::string_view>{"xy_bits", "z_bits"}
+                              : std::vector<std::string_view>{varies};
+        std::vector<Case> cases = grid(for_sweep(request, swept_keys, keys), std::move(axes));
         for (Case& c : cases) c.extra.emplace_back("varies", varies);
         return cases;
     };
@@ -79,13 +99,16 @@ std::vector<Case> WidthsStudy::cases(const Request& request) const {
     std::vector<Case> all;
     for (const auto& bias : {in_world, in_texels})
         all = joined(std::move(all), of("xy_bits", {lookups, bias[0], bias[1], sizes}));
-    for (const Axis& width : widths(request.quick))
+    std::vector<Axis> one_by_one = widths(request.quick);
+    for (const Axis& asked : request.vary) {
+        const auto is_it = [&](const auto& key) { return key == asked.first; };
+        const auto swept = [&](const Axis& axis) { return axis.first == asked.first; };
+        if (asked.first != "xy_bits" && std::any_of(swept_keys.begin(), swept_keys.end(), is_it) &&
+            std::none_of(one_by_one.begin(), one_by_one.end(), swept))
+            one_by_one.push_back(asked);
+    }
+    for (const Axis& width : one_by_one)
         all = joined(std::move(all), of(width.first, {lookups, in_world[0], in_world[1], width}));
-    if (!request.quick)  // an accumulator that cuts, or there is nothing to round
-        all = joined(std::move(all), of("product_rounding",
-                                        {lookups, in_world[0], in_world[1],
-                                         {"accumulator_bits", {"22"}},
-                                         {"product_rounding", roundings}}));
     for (const auto& bias : {in_world, in_texels})
         all = joined(std::move(all), of("xy_bits and z_bits", {{"lookup", {"nearest"}}, bias[0],
                                                                bias[1], grid_sizes, depths}));

@@ -134,32 +134,40 @@ void tell_steps(std::span<const Row> rows, Report& report) {
 void tell_paper(std::span<const Row> rows, Report& report) {
     auto& json = report.summary()["xy_against_z"];
     for (const char* lookup : {"nearest", "bilinear"}) {
-        const auto spread = [&](const char* key, double least, double most) {
-            double low = INFINITY, high = -INFINITY;
+        // NaN where the study has not both ends.
+        const auto differs = [&](const char* key, double least, double most) {
+            double low = std::nan(""), high = std::nan("");
             for (const Row& row :
                  where(rows, {{"varies", key}, {"lookup", lookup}, {"bias_unit", "world"}})) {
-                if (row.number(key) < least || row.number(key) > most) continue;
-                low = std::min(low, row.number("false_shadow"));
-                high = std::max(high, row.number("false_shadow"));
+                if (row.number(key) == least) low = row.number("false_shadow");
+                if (row.number(key) == most) high = row.number("false_shadow");
             }
-            return high - low;
+            return std::abs(high - low);
         };
-        const double by_xy = spread("xy_bits", 8, 9), by_z = spread("z_bits", 12, 16);
-        if (!std::isfinite(by_xy) || !std::isfinite(by_z)) continue;
+        const double by_xy = differs("xy_bits", 8, 9), by_z = differs("z_bits", 12, 16);
+        if (std::isnan(by_xy) || std::isnan(by_z)) continue;
         json[lookup] = {{"xy_8_to_9", by_xy}, {"z_12_to_16", by_z}};
         report.paragraph(fmt::format(
-            "{} lookup: between 8 and 9 bits of X and Y false shadow differs by {:.3f} % of the "
-            "lit pixels, between 12 and 16 bits of Z by {:.3f} %. One bit of X and Y weighs {} "
+            "{} lookup, the bias kept in world units: between 8 and 9 bits of X and Y false shadow "
+            "differs by {:.3f} % of the lit pixels, between 12 and 16 bits of Z by {:.3f} %. One bit of X and Y weighs {} "
             "than four of Z.",
             lookup, 100 * by_xy, 100 * by_z, by_xy > by_z ? "more" : "less"));
     }
 }
 
-// With n pixels a side: what grows as which power of n, and what halving an error costs.
-void tell_growth(std::span<const Row> rows, const char* lookup, Report& report) {
+// With n pixels a side, from the scene's own number upward if there are two: what grows as which
+// power of n, and what halving an error costs.
+void tell_growth(const Request& request, std::span<const Row> rows, const char* lookup,
+                 Report& report) {
     for (const char* unit : {"world", "texels"}) {
-        const Rows some =
+        const Rows all =
             where(rows, {{"varies", "xy_bits"}, {"lookup", lookup}, {"bias_unit", unit}});
+        Rows some;
+        for (const Row& row : all)
+            if (row.number("xy_bits") >= request.scene.settings.machine.xy_bits)
+                some.push_back(row);
+        if (some.size() < 2) some = all;
+        if (some.size() < 2) continue;
         auto& json = report.summary()["grows_with_pixels_a_side_to_the"][lookup][unit];
         std::string words, price;
         for (const char* column : {"light_map_bytes", "drawing_cycles", "transformation_cycles",
@@ -173,12 +181,14 @@ void tell_growth(std::span<const Row> rows, const char* lookup, Report& report) 
                                      std::pow(2.0, -2 / power));
         }
         if (!words.empty())
-            report.paragraph(fmt::format("{} lookup, n pixels a side, the bias kept in {}: as n to "
-                                         "the power grow {}{}.", lookup, unit, words, price));
+            report.paragraph(fmt::format(
+                "{} lookup, n pixels a side from {} to {} bits of X and Y, the bias kept in {}: as "
+                "n to the power grow {}{}.", lookup, some.front().text("xy_bits"),
+                some.back().text("xy_bits"), unit, words, price));
     }
 }
 
-void tell_square_law(std::span<const Row> rows, Report& report) {
+void tell_square_law(const Request& request, std::span<const Row> rows, Report& report) {
     std::vector<std::vector<std::string>> table{{"lookup", "X/Y bits", "false shadow",
         "false light", "light map, bytes", "drawing, cycles", "transformation, cycles",
         "host, ms"}};
@@ -194,7 +204,7 @@ void tell_square_law(std::span<const Row> rows, Report& report) {
                              rate(row, "false_light"), row.text("light_map_bytes"),
                              row.text("drawing_cycles"), row.text("transformation_cycles"),
                              has_times ? fmt::format("{:.1f}", row.number("frame_host_ms")) : ""});
-        tell_growth(rows, lookup, report);
+        tell_growth(request, rows, lookup, report);
         Plot plot;
         plot.name = fmt::format("square-law-{}", lookup);
         plot.title = fmt::format("What lateral resolution buys, {} lookup", lookup);
@@ -203,8 +213,10 @@ void tell_square_law(std::span<const Row> rows, Report& report) {
         plot.log_x = true;
         for (const char* column : {"false_shadow", "false_light", "false_shadow_outside"})
             plot.series.push_back(curve(column, some, "light_map_bytes", column, 100));
-        report.plot(plot, "Every doubling of the sides costs four times the memory and the cycles "
-                          "of the transformation; the bias is half a texel of each map.");
+        report.plot(plot, "Every doubling of the sides is four times the memory, a point on each "
+                          "line, and four times the transformation's cycles; the bias is half a "
+                          "texel of each map. The edge band is a texel wide: a coarser map's "
+                          "leaves more of the error out.");
     }
     if (table.size() > 1)
         report.table(table, "The square-law expense of lateral resolution (Williams 1978, p. 273): "
@@ -217,10 +229,14 @@ void tell_square_law(std::span<const Row> rows, Report& report) {
 void tell_accumulator(std::span<const Row> rows, Report& report) {
     for (const char* lookup : {"nearest", "bilinear"}) {
         Rows some = where(rows, {{"varies", "accumulator_bits"}, {"lookup", lookup}});
-        if (some.size() < 2) continue;
         std::stable_sort(some.begin(), some.end(), [](const Row& a, const Row& b) {
             return a.number("accumulator_bits") > b.number("accumulator_bits");
         });
+        const auto is_exact = [](const Row& row) {
+            return row.number("built_accumulator_bits") ==
+                   row.number("word_bits") + row.number("coefficient_bits") + 3;
+        };
+        if (some.size() < 2 || !is_exact(some.front())) continue;
         const Row& exact = some.front();
         const auto moved = [&](const Row& row, const char* column) {
             return row.number(column) - exact.number(column);
@@ -231,7 +247,7 @@ void tell_accumulator(std::span<const Row> rows, Report& report) {
         }) - 1;
         report.paragraph(fmt::format(
             "{} lookup: an accumulator that holds four products exactly has {} bits; with {} no "
-            "rate moves by a tenth of a per cent; with {} false shadow moves by {:+.2f} % and "
+            "rate moves by a tenth of a point; with {} false shadow moves by {:+.2f} % and "
             "false light by {:+.2f} %.",
             lookup, exact.text("built_accumulator_bits"), enough->text("built_accumulator_bits"),
             some.back().text("built_accumulator_bits"), 100 * moved(some.back(), "false_shadow"),
@@ -251,10 +267,10 @@ double growth_per_doubling(std::span<const Row> rows, const char* column) {
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-void report_widths(std::span<const Row> rows, Report& report) {
+void report_widths(const Request& request, std::span<const Row> rows, Report& report) {
     tell_paper(rows, report);
     tell_accumulator(rows, report);
-    tell_square_law(rows, report);
+    tell_square_law(request, rows, report);
     for (const char* key : bit_keys) plot_width(rows, key, "world", report);
     plot_width(rows, "xy_bits", "texels", report);
     for (const char* unit : {"world", "texels"}) {

@@ -5,7 +5,7 @@
 
 namespace umbra78::tools::study {
 
-void report_widths(std::span<const Row>, Report&);
+void report_widths(const Request&, std::span<const Row>, Report&);
 
 // The power of 2^bits that a column grows as, by least squares of logarithms: 2 for what follows
 // the square law of lateral resolution. NaN from fewer than two widths where it is not 0.
