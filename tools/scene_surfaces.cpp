@@ -121,7 +121,11 @@ raster::Patch read_patch(const TomlNode& node, const Names& names) {
         ++count;
     };
     for (const TomlNode& row : control.children) {
-        const bool is_row = row.kind == Kind::array && row.children.size() == 4;
+        const bool is_row = row.kind == Kind::array && !row.children.empty() &&
+                            row.children.front().kind == Kind::array;
+        if (is_row && row.children.size() != 4)
+            fail(row, fmt::format("a row of {} holds {} points; write 16 points, or 4 rows of 4",
+                                  in.called("control"), row.children.size()));
         if (is_row) {
             for (const TomlNode& point : row.children) add(point);
         } else {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -128,6 +129,82 @@ TEST(Pareto, TheFrontHoldsWhatNothingBeats) {
     EXPECT_EQ(knee_of(bent, pareto_front(bent), 1), 1u);
     EXPECT_TRUE(pareto_front({}).empty());
     EXPECT_EQ(knee_of(points, {}, 0.5), 0u);
+}
+
+constexpr std::array<std::string_view, 2> own{"xy_bits", "z_bits"};
+
+TEST(ForSweep, AKeyOfItsOwnIsNotCrossedWithTheOthers) {
+    Request request;
+    request.vary = {{"xy_bits", {"7", "8"}}, {"z_bits", {"12"}}, {"light.azimuth", {"0", "9"}}};
+    const auto keys = [](const Request& r) {
+        std::string text;
+        for (const Axis& axis : r.vary) text += axis.first + ' ';
+        return text;
+    };
+    EXPECT_EQ(keys(for_sweep(request, own, std::array<std::string_view, 1>{"xy_bits"})),
+              "xy_bits z_bits light.azimuth ");
+    EXPECT_EQ(keys(for_sweep(request, own, std::array<std::string_view, 1>{"z_bits"})),
+              "z_bits light.azimuth ");
+    EXPECT_EQ(keys(for_sweep(request, own, {})), "z_bits light.azimuth ");
+}
+
+// What was told, as text.
+struct ToldReport final : Report {
+    std::string text;
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+
+    void paragraph(std::string_view words) override { text += std::string(words) + '\n'; }
+    void plot(const Plot& plot, std::string_view) override {
+        text += plot.name + ": " + plot.title + '\n';
+    }
+    void heat_map(const HeatMap& map, std::string_view) override { text += map.name + '\n'; }
+    void picture(std::string_view name, int, int, std::span<const std::uint8_t>,
+                 std::string_view) override {
+        text += std::string(name) + '\n';
+    }
+    void table(const std::vector<std::vector<std::string>>& rows, std::string_view) override {
+        text += std::to_string(rows.size()) + " rows\n";
+    }
+    nlohmann::ordered_json& summary() override { return json; }
+};
+
+TEST(ForCombinations, TellsEachApart) {
+    Request request;
+    request.vary = {{"xy_bits", {"7", "8"}}, {"light.azimuth", {"0", "9"}}, {"bias", {"1"}}};
+    std::vector<Row> rows;
+    for (const char* azimuth : {"0", "9", "0"}) {
+        Row row;
+        row.set("light.azimuth", std::string(azimuth));
+        rows.push_back(row);
+    }
+    const Tell tell = [](std::span<const Row> some, Report& to) {
+        Plot plot{"p", "Title", "", "", false, false, {}};
+        to.plot(plot, "");
+        to.summary()["rows"] = some.size();
+    };
+    ToldReport told;
+    for_combinations(request, own, rows, told, tell);
+    EXPECT_EQ(told.text, "With light.azimuth = 0:\np-1: Title (light.azimuth = 0)\n"
+                         "With light.azimuth = 9:\np-2: Title (light.azimuth = 9)\n");
+    EXPECT_EQ(told.json["combinations"]["light.azimuth = 0"]["rows"], 2);
+    request.vary = {{"xy_bits", {"7", "8"}}};
+    ToldReport whole;
+    for_combinations(request, own, rows, whole, tell);
+    EXPECT_EQ(whole.text, "p: Title\n");
+    EXPECT_EQ(whole.json["rows"], 3);
+}
+
+// The same scene by another path is the same study: shards of it belong together.
+TEST(Asked, TheScenesPathIsNotOfTheHash) {
+    Request one, other;
+    one.quick = other.quick = true;
+    one.scene_text = other.scene_text =
+        "[light]\nazimuth = -100\n\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n";
+    one.scene_file = "a.toml";
+    other.scene_file = "./b.toml";
+    EXPECT_EQ(ask(*studies().front(), one).hash, ask(*studies().front(), other).hash);
+    other.scene_text += "# other\n";
+    EXPECT_NE(ask(*studies().front(), one).hash, ask(*studies().front(), other).hash);
 }
 
 }  // namespace

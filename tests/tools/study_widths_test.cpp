@@ -54,6 +54,17 @@ TEST(WidthsStudy, AccumulatorFollowsFromTheOtherWidths) {
     EXPECT_EQ(row.number("word_bits"), 16);
 }
 
+TEST(WidthsStudy, AVariedWidthHasItsSweepAndNoOther) {
+    Request request = small_sphere();
+    request.quick = true;
+    const auto study = make_widths_study();
+    const std::size_t before = study->cases(request).size();
+    request.vary = {{"accumulator_bits", {"18", "20", "35"}}};
+    EXPECT_EQ(study->cases(request).size(), before + 2 * 3) << "by each lookup";
+    request.vary = {{"light.azimuth", {"-100", "-60"}}};
+    EXPECT_EQ(study->cases(request).size(), 2 * before);
+}
+
 TEST(GrowthPerDoubling, IsThePower) {
     std::vector<Row> rows;
     for (const int bits : {6, 7, 9})
