@@ -168,7 +168,8 @@ void answer_scene(const Row& row, Report& report) {
     report.paragraph(fmt::format(
         "Least bias with under 0.1 % false shadow more than a light texel from a shadow's edge "
         "({} lookup, dither {}, {} sampling): {} quanta = {} texels = {} world units. With it "
-        "{:.2f} % of the shadowed pixels are lit, edges and all, and shadows begin {} world units behind their casters. The least bias, edges and all: {} "
+        "{:.2f} % of the shadowed pixels are lit, edges and all, and shadows begin {} "
+        "world units behind their casters. The least bias, edges and all: {} "
         "quanta.",
         row.text("lookup"), row.text("dither"), row.text("sampling"),
         figure(row, "least_outside_quanta"), figure(row, "least_outside_texels"),
@@ -219,8 +220,8 @@ std::vector<UnitSpread> unit_spreads(std::span<const Row> rows) {
 void report_bias(const Request& request, std::span<const Row> all, Report& report) {
     constexpr std::array<std::string_view, 7> told{"sampling", "lookup", "dither", "bias",
                                                    "bias_unit", "xy_bits", "z_bits"};
-    const std::size_t told_of_an_answer = 5;  // an answer says nothing of widths
-    for_combinations(request, std::span(told).first(request.automatic ? told_of_an_answer : 7), all, report, [&](std::span<const Row> rows, Report& some) {
+    const auto own = std::span(told).first(request.automatic ? 5 : 7);  // an answer names no widths
+    for_combinations(request, own, all, report, [&](std::span<const Row> rows, Report& some) {
         if (!request.automatic) return report_all(rows, some);
         for (const Row& row : rows) answer_scene(row, some);
     });

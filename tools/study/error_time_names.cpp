@@ -14,7 +14,7 @@ namespace {
 std::string word_of(const std::string& key, const std::string& value) {
     if (key == "xy_bits") return value + " bits";
     if (key == "z_bits") return "Z " + value;
-    if (key == "coefficient_bits") return "words of " + value;
+    if (key == "coefficient_bits") return value + "-bit coefficients";
     if (key == "form") return value == "correct" ? "correct form" : "post-process";
     if (key == "dither") return value == "none" ? "no dither" : value + " dither";
     if (key == "dequantize") return value == "0" ? "unfiltered" : "edges dequantized";
@@ -39,7 +39,9 @@ std::string short_name(const Row& row, std::span<const Row> all) {
         const bool is_said = std::find(said.begin(), said.end(), key) != said.end();
         const auto rows = static_cast<std::ptrdiff_t>(all.size());
         if (value.empty() || alike == rows || (!is_said && 2 * alike > rows)) return;
-        if (const std::string word = word_of(key, value); !word.empty()) words.push_back(word);
+        std::string word = word_of(key, value);
+        if (key == "bias") word += " " + row.text("bias_unit");
+        if (!word.empty()) words.push_back(word);
     };
     // Overrides that are no settings, extra columns, settings: all that stands before the figures.
     for (const auto& [key, value] : row.cells()) {

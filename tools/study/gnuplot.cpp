@@ -101,7 +101,7 @@ std::string output_of(const std::string& command, int& status) {
 
 std::string script_of(const Plot& plot) {
     std::string text = head(plot.name, plot.title, plot.x_label, plot.y_label);
-    text += "set grid\nset key below\nset xlabel offset 0,0.5\n";
+    text += "set grid\nset key below height 1\nset xlabel offset 0,0.5\n";
     if (plot.log_x) text += log_range('x', plot.series);
     if (plot.log_y) text += log_range('y', plot.series);
     for (std::size_t k = 0; k < colours.size(); ++k)

@@ -174,7 +174,8 @@ void tell_beat(std::span<const Row> rows, Report& report) {
             !is(row, "dither", "none") || std::isnan(row.number("peak_period_px")))
             continue;
         report.paragraph(fmt::format(
-            "The moire of a slanted plane, the study's own: predicted from the two grids, a beat of {} px at ({}, {}) cycles a "
+            "The moire of a slanted plane, the study's own: predicted from the two grids, a beat "
+            "of {} px at ({}, {}) cycles a "
             "pixel; measured, a peak of {} times the mean, {} px at ({}, {}), harmonic ({}, {}).",
             figure(row, "beat_period_px", "{:.3f}"), figure(row, "beat_u", "{:.4f}"),
             figure(row, "beat_v", "{:.4f}"), figure(row, "peak_over_mean", "{:.0f}"),

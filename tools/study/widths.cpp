@@ -33,7 +33,7 @@ class WidthsStudy : public Study {
 public:
     std::string_view name() const override { return "widths"; }
     std::string_view meaning() const override {
-        return "Which width buys what: bits of X, Y, Z, matrix, accumulator and fraction; roundings";
+        return "Which width buys what: X, Y, Z, matrix, accumulator, fraction; and each rounding";
     }
     std::vector<Case> cases(const Request&) const override;
     Row run(const Request&, const Case&) const override;

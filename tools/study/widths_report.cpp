@@ -149,7 +149,8 @@ void tell_paper(std::span<const Row> rows, Report& report) {
         json[lookup] = {{"xy_8_to_9", by_xy}, {"z_12_to_16", by_z}};
         report.paragraph(fmt::format(
             "{} lookup, the bias kept in world units: between 8 and 9 bits of X and Y false shadow "
-            "differs by {:.3f} % of the lit pixels, between 12 and 16 bits of Z by {:.3f} %. One bit of X and Y weighs {} "
+            "differs by {:.3f} % of the lit pixels, between 12 and 16 bits of Z by {:.3f} %. "
+            "One bit of X and Y weighs {} "
             "than four of Z.",
             lookup, 100 * by_xy, 100 * by_z, by_xy > by_z ? "more" : "less"));
     }
