@@ -119,6 +119,9 @@ TEST(SceneErrors, PlanesAndPatches) {
          "a.toml:2: 'control' in [[patch]] holds 2 points; write 16, or 4 rows of 4"},
         {"[[patch]]\ncontrol = [[0, 0, 0], [1, 0]]\n",
          "a.toml:2: point 1 of 'control' in [[patch]] is an array of 2; write [x, y, z]"},
+        {"[[patch]]\ncontrol = [[[0, 0, 0], [1, 0, 0], [2, 0, 0]]]\n",
+         "a.toml:2: a row of 'control' in [[patch]] holds 3 points; write 16 points, or 4 rows of "
+         "4"},
         {"[[patch]]\ncontrol = \"flat\"\n",
          "a.toml:2: 'control' in [[patch]] holds 0 points; write 16, or 4 rows of 4"},
     });
