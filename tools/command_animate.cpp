@@ -3,6 +3,7 @@
 #include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 #include "tools/frame_manifest.hpp"
+#include "tools/interruptible.hpp"
 #include "tools/plan_words.hpp"
 #include "tools/report.hpp"
 #include "tools/toml_text.hpp"
@@ -13,7 +14,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <set>
 
@@ -27,25 +27,6 @@ struct Options {
     std::vector<std::string> set;
     int frames = 0;
     bool json = false;
-};
-
-volatile std::sig_atomic_t stop_asked = 0;
-
-// While it lives, an interruption lets the frame at hand be finished.
-class Interruptible {
-public:
-    Interruptible() : interrupt_(std::signal(SIGINT, ask)), terminate_(std::signal(SIGTERM, ask)) {}
-    ~Interruptible() {
-        std::signal(SIGINT, interrupt_);
-        std::signal(SIGTERM, terminate_);
-    }
-    Interruptible(const Interruptible&) = delete;
-    Interruptible& operator=(const Interruptible&) = delete;
-
-private:
-    static void ask(int) { stop_asked = 1; }
-    void (*interrupt_)(int);
-    void (*terminate_)(int);
 };
 
 std::vector<AzimuthSweep> read_sweeps(const Options& options) {
@@ -194,7 +175,7 @@ void Sequence::run() {
         draw(frame);
         if (!options_.json) report(frame, rows_.back());
         show_progress(frame);
-        if (stop_asked && frame < options_.frames)
+        if (Interruptible::asked() && frame < options_.frames)
             throw std::runtime_error(fmt::format(
                 "interrupted after frame {} of {}; run the same command again to go on", frame,
                 options_.frames));

@@ -1,6 +1,8 @@
 // Files: what is written is read back, byte for byte where the format fixes the bytes; a failure
 // names the file and leaves nothing behind.
 #include "tools/files.hpp"
+
+#include "tests/tools/error_of.hpp"
 #include "tools/sheet.hpp"
 
 #include <gtest/gtest.h>
@@ -26,6 +28,7 @@ namespace umbra78::tools {
 namespace {
 
 using namespace std::string_literals;
+using test::error_of;
 namespace fs = std::filesystem;
 
 class Files : public testing::Test {
@@ -49,17 +52,6 @@ protected:
         return static_cast<int>(std::distance(fs::directory_iterator(folder), {}));
     }
 };
-
-// What the call throws, which must be one line.
-std::string error_of(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::runtime_error& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-        return error.what();
-    }
-    return "no error";
-}
 
 std::vector<std::uint16_t> ramp16(int count) {
     std::vector<std::uint16_t> samples(count);

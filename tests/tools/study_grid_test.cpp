@@ -1,4 +1,5 @@
 // Studies before they run: --vary, the grid, the rows, the front.
+#include "tests/tools/error_of.hpp"
 #include "tools/json_text.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/inputs.hpp"
@@ -18,16 +19,7 @@ namespace umbra78::tools::study {
 namespace {
 
 using Texts = std::vector<std::string>;
-
-std::string error_of(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::runtime_error& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-        return error.what();
-    }
-    return "";
-}
+using tools::test::error_of;
 
 TEST(Vary, RangesAreExactAndHoldBothEnds) {
     const struct {

@@ -1,12 +1,13 @@
 #include "tools/study/runner.hpp"
 
+#include "tools/interruptible.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
@@ -16,26 +17,6 @@ namespace umbra78::tools::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::atomic<bool> stop_asked = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // a signal may store it
-
-// While it lives, an interruption lets the cases at hand be finished.
-class Interruptible {
-public:
-    Interruptible() : interrupt_(std::signal(SIGINT, ask)), terminate_(std::signal(SIGTERM, ask)) {}
-    ~Interruptible() {
-        std::signal(SIGINT, interrupt_);
-        std::signal(SIGTERM, terminate_);
-    }
-    Interruptible(const Interruptible&) = delete;
-    Interruptible& operator=(const Interruptible&) = delete;
-
-private:
-    static void ask(int) { stop_asked = true; }
-    void (*interrupt_)(int);
-    void (*terminate_)(int);
-};
 
 // On a terminal: cases done, and the time left if the rest take as long as those before.
 class Progress {
@@ -70,7 +51,7 @@ public:
 
     // A thread's part: cases until none is left, or somebody failed or asked to stop.
     void run() {
-        for (std::size_t k = next_++; k < left_.size() && !stop_asked && !failed_; k = next_++) {
+        for (std::size_t k = next_++; k < left_.size() && !Interruptible::asked() && !failed_; k = next_++) {
             Row row = run_case(asked_, left_[k], asked_.cases[left_[k]]);
             const std::lock_guard lock(mutex_);
             try {
