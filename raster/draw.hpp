@@ -12,6 +12,7 @@
 #pragma once
 
 #include "hw/frame_store.hpp"
+#include "raster/lone_centres.hpp"
 #include "raster/projection.hpp"
 #include "raster/sampling.hpp"
 #include "raster/shading.hpp"
@@ -128,7 +129,7 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
     const auto sample = [&](const BlockShading* shading) {
         const auto each = [&](const Sample& s) { emit(s, shading); };
         if (setup.sampling == Sampling::centre) {
-            counts.tested_centres += sample_centres(memory.corners, setup.spec, each);
+            counts.tested_centres += sample_lone_centres(memory.corners, setup.spec, each);
         } else {
             sample_leaves(memory.corners, setup.spec, each);
         }

@@ -24,25 +24,31 @@ using CornerGrid = std::array<std::array<Int, grid_stride>, corners>;
 
 namespace detail {
 
-// One halving between rows `a` and `b` of f and g into row `mid`; the rows' own g are divided by
-// the caller, once a level.
 template <class Int, std::size_t Lanes>
-void halve_lanes(std::array<std::array<Int, Lanes>, corners>& f,
-                 std::array<std::array<Int, Lanes>, corners>& g, std::size_t a, std::size_t mid,
-                 std::size_t b) {
+using LaneRows = std::array<std::array<Int, Lanes>, corners>;
+
+// One halving between rows a and b of f and g; the rows' own g are divided by the caller, once a
+// level. That the middle rows are no other's is what lets the compiler use whole vectors.
+template <class Int, std::size_t Lanes>
+void halve_lanes(const std::array<Int, Lanes>& fa, const std::array<Int, Lanes>& fb,
+                 const std::array<Int, Lanes>& ga, const std::array<Int, Lanes>& gb,
+                 std::array<Int, Lanes>& __restrict f_mid,
+                 std::array<Int, Lanes>& __restrict g_mid) {
     for (std::size_t k = 0; k < Lanes; ++k) {
-        const Int sum = g[a][k] + g[b][k];
-        f[mid][k] = half_up<Int>(f[a][k] + f[b][k] - sum, 1);
-        g[mid][k] = half_up<Int>(sum, 3);
+        const Int sum = ga[k] + gb[k];
+        f_mid[k] = half_up<Int>(fa[k] + fb[k] - sum, 1);
+        g_mid[k] = half_up<Int>(sum, 3);
     }
 }
 
 template <class Int, std::size_t Lanes>
-void subdivide_lanes(std::array<std::array<Int, Lanes>, corners>& f,
-                     std::array<std::array<Int, Lanes>, corners>& g) {
+void subdivide_lanes(LaneRows<Int, Lanes>& f, LaneRows<Int, Lanes>& g) {
     for (std::size_t step = leaves; step > 1; step /= 2) {
-        for (std::size_t a = 0; a < leaves; a += step)
-            halve_lanes(f, g, a, a + step / 2, a + step);
+        for (std::size_t a = 0; a < leaves; a += step) {
+            const std::size_t mid = a + step / 2, b = a + step;
+            halve_lanes(f[a], f[b], g[a], g[b], f[mid], g[mid]);
+        }
+        if (step == 2) break;  // no level is left to need a correction
         for (std::size_t a = 0; a <= leaves; a += step)
             for (std::size_t k = 0; k < Lanes; ++k) g[a][k] = half_up<Int>(g[a][k], 2);
     }

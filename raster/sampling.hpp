@@ -72,14 +72,24 @@ inline bool triangle_depth(const Corner& a, const Corner& b, const Corner& c, st
     return true;
 }
 
+// A pixel's centre in raster units from the centre of the frame, and the first and the last pixel
+// whose centre is not before (not behind) a place.
+constexpr std::int32_t pixel_centre(int p, std::int32_t half_px) {
+    return (2 * (p - half_px) + 1) * (1 << (raster_fraction - 1));
+}
+constexpr std::int32_t first_pixel(std::int32_t at, std::int32_t half_px) {
+    return (at - pixel_centre(0, half_px) + (1 << raster_fraction) - 1) >> raster_fraction;
+}
+constexpr std::int32_t last_pixel(std::int32_t at, std::int32_t half_px) {
+    return (at - pixel_centre(0, half_px)) >> raster_fraction;
+}
+
 // The pixels whose centres a leaf's box, grown by the slack, may hold: one row of leaves at once.
 struct CentreWindow {
     std::array<std::int32_t, leaves> x0, x1, y0, y1;
 };
 
 inline void centre_windows(const Corners& g, int j, std::int32_t half_px, CentreWindow& w) {
-    // Pixel i's centre is at (i + 1/2 - half_px); `to_index` makes centres multiples of a pixel.
-    const std::int32_t to_index = half_px * (1 << raster_fraction) - (1 << (raster_fraction - 1));
     const std::int32_t last = 2 * half_px - 1;
     const auto v = static_cast<std::size_t>(j);
     const auto axis = [&](const CornerGrid<std::int32_t>& c, auto& first_px, auto& last_px) {
@@ -88,25 +98,19 @@ inline void centre_windows(const Corners& g, int j, std::int32_t half_px, Centre
                 std::min(std::min(c[v][u], c[v][u + 1]), std::min(c[v + 1][u], c[v + 1][u + 1]));
             const std::int32_t greatest =
                 std::max(std::max(c[v][u], c[v][u + 1]), std::max(c[v + 1][u], c[v + 1][u + 1]));
-            const std::int32_t low =
-                (least - slack + to_index + (1 << raster_fraction) - 1) >> raster_fraction;
-            const std::int32_t high = (greatest + slack + to_index) >> raster_fraction;
-            first_px[u] = std::max<std::int32_t>(low, 0);
-            last_px[u] = std::min(high, last);
+            first_px[u] = std::max<std::int32_t>(first_pixel(least - slack, half_px), 0);
+            last_px[u] = std::min(last_pixel(greatest + slack, half_px), last);
         }
     };
     axis(g[0], w.x0, w.x1);
     axis(g[1], w.y0, w.y1);
 }
 
-// Returns how many centres were tested.
+// The definition; drawing uses the form in lone_centres.hpp. Returns how many centres were tested.
 template <class Emit>
 std::uint64_t sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
     std::uint64_t tested = 0;
     const std::int32_t half = spec.half_px();
-    const auto centre = [&](int p) {
-        return (2 * (p - half) + 1) * (1 << (raster_fraction - 1));
-    };
     CentreWindow w;
     for (int j = 0; j < leaves; ++j) {
         centre_windows(g, j, half, w);
@@ -118,7 +122,7 @@ std::uint64_t sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit
             tested += static_cast<std::uint64_t>((w.x1[u] - w.x0[u] + 1) * (w.y1[u] - w.y0[u] + 1));
             for (int py = w.y0[u]; py <= w.y1[u]; ++py) {
                 for (int px = w.x0[u]; px <= w.x1[u]; ++px) {
-                    const std::int32_t x = centre(px), y = centre(py);
+                    const std::int32_t x = pixel_centre(px, half), y = pixel_centre(py, half);
                     std::int64_t z = 0;
                     if (triangle_depth(c00, c10, c11, x, y, z)) emit(Sample{px, py, x, y, z, i, j});
                     if (triangle_depth(c00, c11, c01, x, y, z)) emit(Sample{px, py, x, y, z, i, j});
