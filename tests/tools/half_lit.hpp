@@ -26,6 +26,8 @@ inline Bytes shadow_from(int size, int edge) {
     return mask;
 }
 
-inline int total(const Bytes& band) { return static_cast<int>(std::count(band.begin(), band.end(), 1)); }
+inline int total(const Bytes& band) {
+    return static_cast<int>(std::count(band.begin(), band.end(), 1));
+}
 
 }  // namespace umbra78::tools::test
