@@ -51,7 +51,8 @@ public:
 
     // A thread's part: cases until none is left, or somebody failed or asked to stop.
     void run() {
-        for (std::size_t k = next_++; k < left_.size() && !Interruptible::asked() && !failed_; k = next_++) {
+        const auto go_on = [&] { return !Interruptible::asked() && !failed_; };
+        for (std::size_t k = next_++; k < left_.size() && go_on(); k = next_++) {
             Row row = run_case(asked_, left_[k], asked_.cases[left_[k]]);
             const std::lock_guard lock(mutex_);
             try {
