@@ -23,7 +23,7 @@ namespace umbra78::fixed {
 class Float38 {
 public:
     static constexpr int mantissa_bits = 28, fraction_bits = 27;
-    static constexpr int exponent_bias = 512, greatest_exponent = 1023;
+    static constexpr int exponent_bias = 512, max_exponent = 1023;
 
     constexpr Float38() = default;  // 0
 
@@ -53,7 +53,7 @@ public:
     }
     static constexpr Float38 largest(bool negative) {
         constexpr std::int32_t all = (1 << fraction_bits) - 1;
-        return from_parts(negative ? -all : all, greatest_exponent);
+        return from_parts(negative ? -all : all, max_exponent);
     }
 
     constexpr std::int32_t mantissa() const { return mantissa_; }
@@ -138,7 +138,7 @@ private:
             m /= 2;
             ++exponent;
         }
-        if (exponent > greatest_exponent) return largest(word < 0);
+        if (exponent > max_exponent) return largest(word < 0);
         if (exponent < 0) return {};
         return from_parts(static_cast<std::int32_t>(m), exponent);
     }

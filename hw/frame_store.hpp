@@ -4,7 +4,7 @@
 // unsigned, 0 at the near plane; all ones is the background, and what is drawn is clamped to one
 // code nearer. Nearer replaces (Catmull 1974, p. 32); a tie in Z goes to the smaller intensity,
 // so the result depends on what is drawn and never on the order it is drawn in.
-// Not emulated here: access times, refresh and video read-out (hw/dram.hpp replays those).
+// Not emulated here: access times, refresh and video read-out (hw/memory/dram.hpp replays those).
 #pragma once
 
 #include "hw/machine_spec.hpp"

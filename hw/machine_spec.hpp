@@ -26,7 +26,7 @@ struct MachineSpec {
     int coefficient_bits = 16;  // signed Q1.(bits - 2), one exponent a row; 8..32
     int fraction_bits = 7;      // of X and Y behind the transform; 0..12
     int multipliers = 4;        // 1, 4 or 16 multipliers of 16 x 16 bits
-    int accumulator_most = 64;  // bits a row's accumulator may have; 16..64, see built_bits()
+    int max_accumulator_bits = 64;  // bits a row's accumulator may have; 16..64, see built_bits()
     Rounding product_rounding = Rounding::floor;  // of what a shorter accumulator has no place for
     Rounding transform_rounding = Rounding::half_up;
     Rounding coefficient_rounding = Rounding::half_even;
@@ -49,7 +49,8 @@ struct MachineSpec {
     constexpr int accumulator_bits() const { return word_bits() + coefficient_bits + 3; }
     // A shorter accumulator lacks low bits: a product is rounded to those there are as it is added.
     constexpr int dropped_bits() const {
-        return accumulator_bits() > accumulator_most ? accumulator_bits() - accumulator_most : 0;
+        const int excess = accumulator_bits() - max_accumulator_bits;
+        return excess > 0 ? excess : 0;
     }
     constexpr int built_bits() const { return accumulator_bits() - dropped_bits(); }
 
@@ -60,7 +61,7 @@ struct MachineSpec {
 
 // Which width, if any, keeps the formats from closing.
 enum class SpecStatus : std::uint8_t {
-    ok, xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, accumulator_most
+    ok, xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, max_accumulator_bits
 };
 
 constexpr SpecStatus check(const MachineSpec& m) {
@@ -70,7 +71,8 @@ constexpr SpecStatus check(const MachineSpec& m) {
     if (m.fraction_bits < 0 || m.fraction_bits > 12) return SpecStatus::fraction_bits;
     if (m.multipliers != 1 && m.multipliers != 4 && m.multipliers != 16)
         return SpecStatus::multipliers;
-    if (m.accumulator_most < 16 || m.accumulator_most > 64) return SpecStatus::accumulator_most;
+    if (m.max_accumulator_bits < 16 || m.max_accumulator_bits > 64)
+        return SpecStatus::max_accumulator_bits;
     return SpecStatus::ok;
 }
 

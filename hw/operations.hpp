@@ -41,10 +41,10 @@ struct UnitCycles {
     std::uint64_t one_after_the_other() const { return adders + multipliers + divider + store; }
     std::uint64_t side_by_side() const { return std::max({adders, multipliers, divider, store}); }
     const char* busiest() const {
-        const std::uint64_t most = side_by_side();
-        return most == divider       ? "divider"
-               : most == multipliers ? "multipliers"
-               : most == adders      ? "adders"
+        const std::uint64_t max = side_by_side();
+        return max == divider       ? "divider"
+               : max == multipliers ? "multipliers"
+               : max == adders      ? "adders"
                                      : "frame store";
     }
 };

@@ -20,7 +20,7 @@ bool round_row(const std::array<Rational, 4>& row, int exponent, int bits, Round
 // The smallest exponent in range at which every word of the row fits.
 bool quantize_row(const std::array<Rational, 4>& row, int bits, Rounding rounding,
                   std::array<std::int32_t, 4>& words, int& exponent) {
-    int start = least_exponent;
+    int start = min_exponent;
     bool zero = true;
     for (const Rational& c : row) {
         if (c.is_zero()) continue;
@@ -34,7 +34,7 @@ bool quantize_row(const std::array<Rational, 4>& row, int bits, Rounding roundin
         return true;
     }
     // |c| < 2^(log2 + 1) fits Q1.x from exponent log2 on, or log2 - 1 for exactly -2^log2.
-    for (int e = start - 1 < least_exponent ? least_exponent : start - 1; e <= greatest_exponent;
+    for (int e = start - 1 < min_exponent ? min_exponent : start - 1; e <= max_exponent;
          ++e) {
         if (round_row(row, e, bits, rounding, words)) {
             exponent = e;
@@ -64,7 +64,7 @@ LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, Wor
     }
     for (std::size_t r = 0; r < 3; ++r) {
         const int apart = out.exponent[r] - out.exponent[3];
-        if (!out.affine && (apart > greatest_apart || apart < -greatest_apart))
+        if (!out.affine && (apart > max_apart || apart < -max_apart))
             return LoadStatus::exponent_out_of_range;
     }
     return LoadStatus::ok;

@@ -47,10 +47,10 @@ struct MatrixWords {
 
 enum class LoadStatus : std::uint8_t { ok, exponent_out_of_range };
 
-inline constexpr int least_exponent = -31;
-inline constexpr int greatest_exponent = 31;
+inline constexpr int min_exponent = -31;
+inline constexpr int max_exponent = 31;
 // Between a perspective row and W: with up to 20 fraction bits the divider shifts 62 places.
-inline constexpr int greatest_apart = 42;
+inline constexpr int max_apart = 42;
 
 // Rounds an exact matrix to coefficient words: the smallest exponent that holds the whole row.
 // Refused: a row that no exponent in range holds, one too far from W, and a W row of zeros.
@@ -172,6 +172,15 @@ constexpr int transform_cycles(const MachineSpec& spec, bool affine, UnitWork wo
         case 4: return rows * passes;
         default: return passes;
     }
+}
+
+// Cycles of a serial restoring divider, a bit of the quotient each cycle (Sproull and Sutherland
+// 1968), to divide one point's X, Y and Z: a cycle for each bit of the quotient (sign, value and
+// the rounding bit) and two to load and to correct. Three quotients share one divider.
+constexpr int serial_divide_cycles(const MachineSpec& spec) {
+    const int xy = spec.xy_bits + spec.fraction_bits + 2;
+    const int z = spec.z_bits + 2;
+    return 2 * (xy + 2) + z + 2;
 }
 
 }  // namespace umbra78::hw

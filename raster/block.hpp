@@ -94,7 +94,7 @@ constexpr void split_v(const Component& c, Component& low, Component& high) {
     }
 }
 
-constexpr std::int64_t greatest_magnitude(const std::array<std::int64_t, 4>& a) {
+constexpr std::int64_t max_magnitude(const std::array<std::int64_t, 4>& a) {
     std::int64_t m = 0;
     for (const std::int64_t v : a) m = std::max(m, v < 0 ? -v : v);
     return m;
@@ -102,15 +102,15 @@ constexpr std::int64_t greatest_magnitude(const std::array<std::int64_t, 4>& a) 
 
 // What a component can do over the whole block; all bounds hold for the exact surface.
 struct Bounds {
-    std::int64_t least, greatest;  // of the value
+    std::int64_t min, max;  // of the value
     std::int64_t slope_u, slope_v; // of |df/du|, |df/dv|
     std::int64_t bend_u, bend_v;   // of |gu|, |gv| (mixed term included)
 };
 
 constexpr Bounds bounds(const Component& c) {
     const auto& [f, gu, gv, guv] = c;
-    const std::int64_t mgu = greatest_magnitude(gu), mgv = greatest_magnitude(gv);
-    const std::int64_t mguv = greatest_magnitude(guv);
+    const std::int64_t mgu = max_magnitude(gu), mgv = max_magnitude(gv);
+    const std::int64_t mguv = max_magnitude(guv);
     const auto step = [](const std::array<std::int64_t, 4>& a, std::size_t i, std::size_t j) {
         return a[i] < a[j] ? a[j] - a[i] : a[i] - a[j];
     };

@@ -19,9 +19,9 @@ inline constexpr int raster_fraction = 13;
 inline constexpr std::int64_t pixel_units = std::int64_t{1} << raster_fraction;
 
 // 15.5 pixels a block, so 0.97 a leaf: what is left of the pixel holds the corrections.
-inline constexpr std::int64_t greatest_slope = 31 * pixel_units / 2;
+inline constexpr std::int64_t max_slope = 31 * pixel_units / 2;
 // 32 units a leaf; a block's correction is 4^4 times its leaf's.
-inline constexpr std::int64_t greatest_bend = 32 << 8;
+inline constexpr std::int64_t max_bend = 32 << 8;
 // Bounds past this are "too large": far outside what the 32-bit corners hold.
 inline constexpr std::int64_t unbounded = std::int64_t{1} << 29;
 
@@ -46,9 +46,9 @@ constexpr bool unbounded_both_ways(const ScreenBounds& b) {
     return u && v;
 }
 
-enum class Fate : std::uint8_t { outside, split_u, split_v, draw };
+enum class BlockAction : std::uint8_t { outside, split_u, split_v, draw };
 
-constexpr Fate block_fate(const ScreenBounds& b, const hw::MachineSpec& spec) {
+constexpr BlockAction block_action(const ScreenBounds& b, const hw::MachineSpec& spec) {
     const std::int64_t edge = spec.half_px() * pixel_units + pixel_units / 64;
     const std::int64_t deep = (spec.depth_offset() + 1) << depth_guard(spec);
     const std::array<std::int64_t, 3> limit{edge, edge, deep};
@@ -58,18 +58,18 @@ constexpr Fate block_fate(const ScreenBounds& b, const hw::MachineSpec& spec) {
     std::uint64_t in_u = 0, in_v = 0;
     const auto word = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
     for (std::size_t k = 0; k < 3; ++k) {
-        if (b[k].greatest < -limit[k] || b[k].least > limit[k]) return Fate::outside;
-        if (b[k].greatest >= unbounded || b[k].least <= -unbounded) small = false;
-        if (b[k].bend_u > greatest_bend || b[k].bend_v > greatest_bend) small = false;
+        if (b[k].max < -limit[k] || b[k].min > limit[k]) return BlockAction::outside;
+        if (b[k].max >= unbounded || b[k].min <= -unbounded) small = false;
+        if (b[k].bend_u > max_bend || b[k].bend_v > max_bend) small = false;
         in_u = std::max(in_u, 16 * word(b[k].bend_u));
         in_v = std::max(in_v, 16 * word(b[k].bend_v));
         if (k == 2) break;
-        if (b[k].slope_u + b[k].slope_v > greatest_slope) small = false;
+        if (b[k].slope_u + b[k].slope_v > max_slope) small = false;
         in_u = std::max(in_u, word(b[k].slope_u));
         in_v = std::max(in_v, word(b[k].slope_v));
     }
-    if (small) return Fate::draw;
-    return in_u >= in_v ? Fate::split_u : Fate::split_v;
+    if (small) return BlockAction::draw;
+    return in_u >= in_v ? BlockAction::split_u : BlockAction::split_v;
 }
 
 }  // namespace umbra78::raster

@@ -25,7 +25,7 @@ Vector object_place(const View& view, WordFormat object, bool eye) {
     for (std::size_t k = 0; k < 3; ++k) {
         std::int64_t q16 = t[k];
         if (eye)
-            q16 += fixed::round_shift(std::int64_t{view.distance} * view.frame.back[k], 30,
+            q16 += fixed::round_shift(std::int64_t{view.distance} * view.axes.back[k], 30,
                                       Rounding::half_up);
         out[k] = fixed::scale_shift(q16, world_fraction - object.fraction - object_guard,
                                     Rounding::half_up);
@@ -38,7 +38,7 @@ Toward toward_eye(const View& view, WordFormat object) {
     t.to_point = view.projection == Projection::perspective;
     for (std::size_t k = 0; k < 3; ++k)
         t.direction[k] = static_cast<std::int32_t>(
-            fixed::round_shift(view.frame.back[k], 30 - unit_fraction, Rounding::half_up));
+            fixed::round_shift(view.axes.back[k], 30 - unit_fraction, Rounding::half_up));
     if (t.to_point) t.point = object_place(view, object, true);
     return t;
 }
@@ -118,19 +118,21 @@ void BlockWalk::push_patch(const Patch& patch) {
     for (std::size_t c = 0; c < 3; ++c) b.world[c] = component_from_bezier(place[c]);
 }
 
-Fate BlockWalk::fate(const StackBlock& b, ScreenBounds& bounds) const {
+BlockAction BlockWalk::action(const StackBlock& b, ScreenBounds& bounds) const {
     if (affine()) {
         bounds = affine_bounds(first<3>(b.screen));
-        return block_fate(bounds, setup_.spec);
+        return block_action(bounds, setup_.spec);
     }
-    const auto either = [&] { return b.level_u <= b.level_v ? Fate::split_u : Fate::split_v; };
+    const auto either = [&] {
+        return b.level_u <= b.level_v ? BlockAction::split_u : BlockAction::split_v;
+    };
     switch (projected_bounds(b.screen, setup_.spec, bounds)) {
-        case Sight::outside: return Fate::outside;
+        case Sight::outside: return BlockAction::outside;
         case Sight::both: return either();
         case Sight::before: break;
     }
-    const Fate f = block_fate(bounds, setup_.spec);
-    return f == Fate::split_u && unbounded_both_ways(bounds) ? either() : f;
+    const BlockAction f = block_action(bounds, setup_.spec);
+    return f == BlockAction::split_u && unbounded_both_ways(bounds) ? either() : f;
 }
 
 // Splits the popped block in place: its low half stays, its high half goes above it.
@@ -154,17 +156,17 @@ bool BlockWalk::next(ScreenBounds& bounds) {
     while (depth_ > 0) {
         const StackBlock& b = memory_.stack[--depth_];
         ++counts_.tested_blocks;
-        const Fate f = fate(b, bounds);
-        if (f == Fate::draw) return true;
-        if (f == Fate::outside) continue;
+        const BlockAction f = action(b, bounds);
+        if (f == BlockAction::draw) return true;
+        if (f == BlockAction::outside) continue;
         const bool can_u = b.level_u < deepest_level, can_v = b.level_v < deepest_level;
-        if ((!can_u && !can_v) || splits_ == greatest_splits) {
+        if ((!can_u && !can_v) || splits_ == max_splits) {
             ++counts_.unresolved;
             continue;
         }
         ++splits_;
         ++counts_.splits;
-        split(f == Fate::split_u ? can_u : !can_v);
+        split(f == BlockAction::split_u ? can_u : !can_v);
     }
     return false;
 }
@@ -183,15 +185,15 @@ PixelWindow pixel_window(const ScreenBounds& b, const MachineSpec& spec) {
         const std::int64_t p = (v >> raster_fraction) + spec.half_px();
         return static_cast<int>(std::clamp<std::int64_t>(p, 0, spec.size_px() - 1));
     };
-    return {pixel(b[0].least - slack), pixel(b[1].least - slack), pixel(b[0].greatest + slack),
-            pixel(b[1].greatest + slack)};
+    return {pixel(b[0].min - slack), pixel(b[1].min - slack), pixel(b[0].max + slack),
+            pixel(b[1].max + slack)};
 }
 
 }  // namespace detail
 
 void order_front_to_back(std::span<const Patch> patches, const View& view,
                          std::span<std::uint32_t> order, std::span<std::int64_t> nearest) {
-    const Axis& back = view.frame.back;
+    const Axis& back = view.axes.back;
     for (std::size_t k = 0; k < patches.size(); ++k) {
         order[k] = static_cast<std::uint32_t>(k);
         nearest[k] = INT64_MIN;

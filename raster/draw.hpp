@@ -1,6 +1,6 @@
 // Drawing: patches to samples, by blocks of 16 x 16 leaves (Catmull's subdivision, 1974).
 //
-//   control points --transform unit--> components of a block --split by block_fate-->
+//   control points --transform unit--> components of a block --split by block_action-->
 //   17 x 17 corners --sampling--> samples with their Z code, handed to a sink
 //
 // What the caller wants done with a sample is a Sink:
@@ -12,7 +12,7 @@
 #pragma once
 
 #include "hw/frame_store.hpp"
-#include "raster/lone_centres.hpp"
+#include "raster/leaf_centres.hpp"
 #include "raster/projection.hpp"
 #include "raster/sampling.hpp"
 #include "raster/shading.hpp"
@@ -43,7 +43,7 @@ struct DrawCounts {
     std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
     std::uint64_t hidden_blocks = 0;  // left out behind what was drawn before
     std::uint64_t unresolved = 0;     // dropped at the last level or split
-    std::uint64_t tested_blocks = 0;  // whose fate was decided
+    std::uint64_t tested_blocks = 0;  // whose action was decided
     std::uint64_t splits = 0;
     std::uint64_t tested_centres = 0;  // pixel centres in a leaf's window
 };
@@ -61,7 +61,7 @@ struct DrawSetup {
 inline constexpr int deepest_level = 24;  // halvings in each direction
 // Splits a patch may take, so that every frame ends: figures need some hundreds. What would need
 // more (a patch through a light's eye, magnified a thousandfold) is dropped and counted.
-inline constexpr std::uint32_t greatest_splits = 1u << 20;
+inline constexpr std::uint32_t max_splits = 1u << 20;
 
 struct StackBlock {
     std::array<Component, 4> screen;  // x, y, z, or X, Y, Z, W
@@ -96,7 +96,7 @@ public:
 
 private:
     bool affine() const { return setup_.matrix.affine; }
-    Fate fate(const StackBlock& b, ScreenBounds& bounds) const;
+    BlockAction action(const StackBlock& b, ScreenBounds& bounds) const;
     void split(bool along_u);
 
     const DrawSetup& setup_;
@@ -143,7 +143,7 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
             const detail::PixelWindow w = detail::pixel_window(bounds, setup.spec);
             std::uint32_t nearest = 0;
             // A quantum nearer than the bound, for what rounding may do to the corners.
-            if (depth_code(bounds[2].least - one_quantum, setup.spec, nearest) &&
+            if (depth_code(bounds[2].min - one_quantum, setup.spec, nearest) &&
                 sink.hidden(w.x0, w.y0, w.x1, w.y1, nearest)) {
                 ++counts.hidden_blocks;
                 continue;

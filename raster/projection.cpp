@@ -49,23 +49,23 @@ std::int64_t whole_pixel(const Component& x, const Component& w) {
 Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw, int fraction) {
     // Bring W to 24 bits and its bounds to the same scale, rounded outward.
     const int down = std::max(0, static_cast<int>(std::bit_width(
-                                     static_cast<std::uint64_t>(bw.least))) - 24);
-    const std::int64_t w_least = bw.least >> down;
+                                     static_cast<std::uint64_t>(bw.min))) - 24);
+    const std::int64_t w_min = bw.min >> down;
     const auto scaled = [&](std::int64_t v) { return (v >> down) + 1; };
     const std::int64_t centre = std::clamp(whole_pixel(x, w), -farthest_centre, farthest_centre);
     const Bounds b = bounds(less(x, centre, w));
     const auto over_w = [&](std::int64_t v) {  // v / W in the target's fraction, rounded up
-        return up(scaled(v), fraction) / w_least + 1;
+        return up(scaled(v), fraction) / w_min + 1;
     };
-    const std::int64_t reach = over_w(std::max(-b.least, b.greatest));
+    const std::int64_t reach = over_w(std::max(-b.min, b.max));
     const auto times = [&](std::int64_t v) {  // reach v / W
         const std::int64_t s = scaled(v);
         if (reach >= std::int64_t{1} << 26 || s >= std::int64_t{1} << 31) return huge;
-        return reach * s / w_least + 1;
+        return reach * s / w_min + 1;
     };
     Bounds out{};
-    out.least = fixed::scale_shift(centre, -fraction, Rounding::floor) - reach;
-    out.greatest = fixed::scale_shift(centre, -fraction, Rounding::ceiling) + reach;
+    out.min = fixed::scale_shift(centre, -fraction, Rounding::floor) - reach;
+    out.max = fixed::scale_shift(centre, -fraction, Rounding::ceiling) + reach;
     out.slope_u = over_w(b.slope_u) + times(bw.slope_u);
     out.slope_v = over_w(b.slope_v) + times(bw.slope_v);
     // An eighth of |x''| <= (|X''| + |x W''| + 2 |x' W'|) / W.
@@ -74,7 +74,7 @@ Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw,
         const std::int64_t s = scaled(w_slope);
         const std::int64_t mixed = slope >= std::int64_t{1} << 28 || s >= std::int64_t{1} << 30
                                        ? huge
-                                       : slope * s / (4 * w_least) + 1;
+                                       : slope * s / (4 * w_min) + 1;
         return over_w(bx) + times(bw_bend) + mixed;
     };
     out.bend_u = bend(b.bend_u, bw.bend_u, out.slope_u, bw.slope_u);
@@ -97,8 +97,8 @@ bool far_out(const std::array<Component, 4>& c) {
 // a pixel): X - e W > 0 or X + e W < 0. It holds on both sides of the eye, where X / W does not.
 bool beyond_a_side(const std::array<Component, 4>& c, std::int64_t edge_px) {
     for (std::size_t k = 0; k < 3; ++k) {
-        if (bounds(less(c[k], edge_px, c[3])).least > 0) return true;
-        if (bounds(less(c[k], -edge_px, c[3])).greatest < 0) return true;
+        if (bounds(less(c[k], edge_px, c[3])).min > 0) return true;
+        if (bounds(less(c[k], -edge_px, c[3])).max < 0) return true;
     }
     return false;
 }
@@ -132,11 +132,11 @@ std::array<Component, 3> affine_components(const ObjectWords& p, const MatrixWor
 
 std::array<Component, 4> homogeneous_components(const ObjectWords& p, const MatrixWords& m,
                                                 const MachineSpec& spec, WordFormat format) {
-    const int greatest = *std::max_element(m.exponent.begin(), m.exponent.end());
+    const int max = *std::max_element(m.exponent.begin(), m.exponent.end());
     const int accumulator_bits = format.bits + spec.coefficient_bits + 2;
     const int up = homogeneous_bits - accumulator_bits;
     const auto row = [&](hw::Row r) {
-        const int shift = greatest - m.exponent[static_cast<std::size_t>(r)] - up;
+        const int shift = max - m.exponent[static_cast<std::size_t>(r)] - up;
         return component(p, [&](const hw::Words& v) {
             return fixed::scale_shift(hw::accumulate(m, r, v, format.one_word()), shift,
                                       spec.transform_rounding);
@@ -152,8 +152,8 @@ ScreenBounds affine_bounds(const std::array<Component, 3>& c) {
 Sight projected_bounds(const std::array<Component, 4>& c, const MachineSpec& spec,
                        ScreenBounds& out) {
     const Bounds w = bounds(c[3]);
-    if (w.greatest <= 0) return Sight::outside;
-    const bool crosses = w.least <= 0;
+    if (w.max <= 0) return Sight::outside;
+    const bool crosses = w.min <= 0;
     if ((crosses || far_out(c)) && beyond_a_side(c, spec.half_px() + 1)) return Sight::outside;
     if (crosses) return Sight::both;
     out = {quotient_bounds(c[0], c[3], w, raster_fraction),

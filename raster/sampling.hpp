@@ -94,12 +94,12 @@ inline void centre_windows(const Corners& g, int j, std::int32_t half_px, Centre
     const auto v = static_cast<std::size_t>(j);
     const auto axis = [&](const CornerGrid<std::int32_t>& c, auto& first_px, auto& last_px) {
         for (std::size_t u = 0; u < leaves; ++u) {
-            const std::int32_t least =
+            const std::int32_t min =
                 std::min(std::min(c[v][u], c[v][u + 1]), std::min(c[v + 1][u], c[v + 1][u + 1]));
-            const std::int32_t greatest =
+            const std::int32_t max =
                 std::max(std::max(c[v][u], c[v][u + 1]), std::max(c[v + 1][u], c[v + 1][u + 1]));
-            first_px[u] = std::max<std::int32_t>(first_pixel(least - slack, half_px), 0);
-            last_px[u] = std::min(last_pixel(greatest + slack, half_px), last);
+            first_px[u] = std::max<std::int32_t>(first_pixel(min - slack, half_px), 0);
+            last_px[u] = std::min(last_pixel(max + slack, half_px), last);
         }
     };
     axis(g[0], w.x0, w.x1);

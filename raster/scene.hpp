@@ -12,7 +12,7 @@ namespace umbra78::raster {
 
 inline constexpr int world_fraction = 16;
 // Control points lie within this of the origin, so that 16-bit object words hold every scene.
-inline constexpr std::int32_t greatest_world = 32766 << world_fraction;
+inline constexpr std::int32_t max_world = 32766 << world_fraction;
 
 struct World {
     std::int32_t x, y, z;  // Q15.16

@@ -34,7 +34,7 @@ Rational dot(const Vector& a, const Vector& b) {
 Vector origin(const View& v) {
     Vector o{q16(v.target.x), q16(v.target.y), q16(v.target.z)};
     if (v.projection == Projection::perspective) {
-        const Vector back = axis(v.frame.back);
+        const Vector back = axis(v.axes.back);
         for (std::size_t k = 0; k < 3; ++k) o[k] += q16(v.distance) * back[k];
     }
     return o;
@@ -74,7 +74,7 @@ Axis normalized(std::array<std::int64_t, 3> v) {
 
 }  // namespace
 
-Frame frame_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16) {
+ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16) {
     const fixed::SineCosine a = fixed::sine_cosine(azimuth_q16);
     const fixed::SineCosine b = fixed::sine_cosine(elevation_q16);
     return {{a.cosine, 0, -a.sine},
@@ -82,7 +82,7 @@ Frame frame_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16) {
             {product(a.sine, b.cosine), b.sine, product(a.cosine, b.cosine)}};
 }
 
-bool frame_from_points(const World& from, const World& to, Frame& out) {
+bool axes_from_points(const World& from, const World& to, ViewAxes& out) {
     const std::array<std::int64_t, 3> v{std::int64_t{from.x} - to.x, std::int64_t{from.y} - to.y,
                                         std::int64_t{from.z} - to.z};
     if (v[0] == 0 && v[1] == 0 && v[2] == 0) return false;
@@ -101,17 +101,17 @@ bool frame_from_points(const World& from, const World& to, Frame& out) {
 }
 
 DepthRange depth_range(const View& view, std::span<const Patch> patches) {
-    const Vector toward = negated(axis(view.frame.back));
+    const Vector toward = negated(axis(view.axes.back));
     const Rational offset = dot(toward, origin(view));
     DepthRange range{INT64_MAX, INT64_MIN};
     for (const Patch& patch : patches) {
         for (const World& p : patch.control) {
             // Integers suffice: depth 2^46 = sum of Q30 x Q16 products.
-            const std::int64_t d = -(std::int64_t{view.frame.back[0]} * p.x +
-                                     std::int64_t{view.frame.back[1]} * p.y +
-                                     std::int64_t{view.frame.back[2]} * p.z);
-            range.least = std::min(range.least, d);
-            range.greatest = std::max(range.greatest, d);
+            const std::int64_t d = -(std::int64_t{view.axes.back[0]} * p.x +
+                                     std::int64_t{view.axes.back[1]} * p.y +
+                                     std::int64_t{view.axes.back[2]} * p.z);
+            range.min = std::min(range.min, d);
+            range.max = std::max(range.max, d);
         }
     }
     if (patches.empty()) return {0, 0};
@@ -120,31 +120,31 @@ DepthRange depth_range(const View& view, std::span<const Patch> patches) {
         (Rational(q46, one_q30 * one_q16) - offset).round_scaled(16, rounding, out);
         return out;
     };
-    return {word(range.least, Rounding::floor), word(range.greatest, Rounding::ceiling)};
+    return {word(range.min, Rounding::floor), word(range.max, Rounding::ceiling)};
 }
 
 void fit_depth(View& view, const DepthRange& scene) {
     if (view.projection == Projection::orthographic) {
         const std::int64_t reach =
-            std::max({std::int64_t{view.extent}, -scene.least, scene.greatest + 1});
+            std::max({std::int64_t{view.extent}, -scene.min, scene.max + 1});
         view.near_depth = -reach;
         view.far_depth = reach;
         return;
     }
-    view.far_depth = std::max<std::int64_t>(scene.greatest + scene.greatest / 64 + 1, 1024);
-    view.near_depth = std::max(scene.least - scene.least / 64 - 1, view.far_depth / 1024);
+    view.far_depth = std::max<std::int64_t>(scene.max + scene.max / 64 + 1, 1024);
+    view.near_depth = std::max(scene.min - scene.min / 64 - 1, view.far_depth / 1024);
     if (view.near_depth >= view.far_depth) view.near_depth = view.far_depth / 1024;
 }
 
 RationalMatrix world_to_screen(const View& view, const MachineSpec& spec) {
     const Vector o = origin(view);
-    const Vector away = negated(axis(view.frame.back));
+    const Vector away = negated(axis(view.axes.back));
     const Rational near = q16(view.near_depth), far = q16(view.far_depth);
     const Rational h = spec.half_px();
     const Rational scale = focal(view, spec);
     RationalMatrix m;
-    m[0] = plane_row(axis(view.frame.right), o, scale);
-    m[1] = plane_row(negated(axis(view.frame.up)), o, scale);
+    m[0] = plane_row(axis(view.axes.right), o, scale);
+    m[1] = plane_row(negated(axis(view.axes.up)), o, scale);
     if (view.projection == Projection::orthographic) {
         // z = h (2 (d - near) / (far - near) - 1)
         m[2] = plane_row(away, o, h * Rational(2) / (far - near));
@@ -161,8 +161,8 @@ RationalMatrix world_to_screen(const View& view, const MachineSpec& spec) {
 
 RationalMatrix screen_to_world(const View& view, const MachineSpec& spec) {
     const Vector o = origin(view);
-    const Vector right = axis(view.frame.right), up = axis(view.frame.up);
-    const Vector back = axis(view.frame.back);
+    const Vector right = axis(view.axes.right), up = axis(view.axes.up);
+    const Vector back = axis(view.axes.back);
     const Rational near = q16(view.near_depth), far = q16(view.far_depth);
     const Rational h = spec.half_px();
     const Rational scale = focal(view, spec);

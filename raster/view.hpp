@@ -1,6 +1,6 @@
 // Views: where the observer or the light stands, and the exact matrices that follow from it.
 //
-// A view looks along -back at `target`. Its frame, with azimuth a to the right about the vertical
+// A view looks along -back at `target`. Its axes, with azimuth a to the right about the vertical
 // axis and elevation b above the horizon:
 //
 //   right = (cos a, 0, -sin a)
@@ -33,20 +33,20 @@ enum class Projection : std::uint8_t { orthographic, perspective };
 
 using Axis = std::array<std::int32_t, 3>;  // Q2.30
 
-struct Frame {
+struct ViewAxes {
     Axis right, up, back;
 };
 
 // Angles in degrees, Q15.16. Products of sines are rounded half even to Q2.30.
-Frame frame_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
+ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
 
-// The frame that looks from `from` to `to`, for lights that are given by position. False if the
-// two coincide; straight above or below, right is (1, 0, 0).
-bool frame_from_points(const World& from, const World& to, Frame& out);
+// The axes of a view that looks from `from` to `to`, for lights that are given by position. False
+// if the two coincide; straight above or below, right is (1, 0, 0).
+bool axes_from_points(const World& from, const World& to, ViewAxes& out);
 
 struct View {
     Projection projection = Projection::orthographic;
-    Frame frame{};
+    ViewAxes axes{};
     World target{};
     std::int32_t extent = 0;       // Q15.16, > 0
     std::int32_t distance = 0;     // Q15.16, perspective only, > 0
@@ -56,7 +56,7 @@ struct View {
 
 // Least and greatest depth of the patches' control points in the view, Q.16, rounded outward.
 struct DepthRange {
-    std::int64_t least, greatest;
+    std::int64_t min, max;
 };
 DepthRange depth_range(const View& view, std::span<const Patch> patches);
 

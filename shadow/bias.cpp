@@ -23,10 +23,11 @@ BiasUnits bias_units(const raster::View& light, const hw::MachineSpec& spec) {
     return u;
 }
 
-bool bias_in_quanta(const Settings& settings, const BiasUnits& units, std::int64_t& quanta_q16) {
-    Rational quanta = q16(settings.bias_q16);
-    if (settings.bias_unit == BiasUnit::world) quanta = quanta * units.quanta_per_world;
-    if (settings.bias_unit == BiasUnit::texels)
+bool bias_in_quanta(std::int64_t bias_q16, BiasUnit unit, const BiasUnits& units,
+                    std::int64_t& quanta_q16) {
+    Rational quanta = q16(bias_q16);
+    if (unit == BiasUnit::world) quanta = quanta * units.quanta_per_world;
+    if (unit == BiasUnit::texels)
         quanta = quanta * units.quanta_per_world / units.texels_per_world;
     return quanta.round_scaled(16, fixed::Rounding::half_even, quanta_q16);
 }

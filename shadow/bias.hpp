@@ -7,7 +7,6 @@
 #pragma once
 
 #include "raster/view.hpp"
-#include "shadow/settings.hpp"
 
 #include <cstdint>
 
@@ -19,7 +18,11 @@ struct BiasUnits {
 
 BiasUnits bias_units(const raster::View& light, const hw::MachineSpec& spec);
 
-// The setting's bias in quanta, Q.16, rounded half even; false if it does not fit.
-bool bias_in_quanta(const Settings& settings, const BiasUnits& units, std::int64_t& quanta_q16);
+// A bias as it is set: a number in one of the three units, Q.16.
+enum class BiasUnit : std::uint8_t { quanta, texels, world };
+
+// That bias in quanta, Q.16, rounded half even; false if it does not fit.
+bool bias_in_quanta(std::int64_t bias_q16, BiasUnit unit, const BiasUnits& units,
+                    std::int64_t& quanta_q16);
 
 }  // namespace umbra78::shadow

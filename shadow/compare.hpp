@@ -14,7 +14,7 @@
 #include "hw/frame_store.hpp"
 #include "hw/noise_source.hpp"
 #include "hw/transform_unit.hpp"
-#include "shadow/settings.hpp"
+#include "shadow/shadow_test.hpp"
 
 #include <cstdint>
 

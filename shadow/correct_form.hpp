@@ -22,11 +22,11 @@ public:
     static constexpr bool shades = true;
 
     CorrectSink(hw::FrameStore<Depth>& store, const LightMap<Depth>& map,
-                const hw::TransformUnit& unit, const Settings& settings,
+                const hw::TransformUnit& unit, const ShadowTest& settings,
                 std::span<std::uint8_t> mask)
-        : CorrectSink(store, map, unit, settings, mask, least_work(settings).noise) {}
+        : CorrectSink(store, map, unit, settings, mask, needed_work(settings).noise) {}
     CorrectSink(hw::FrameStore<Depth>& store, const LightMap<Depth>& map,
-                const hw::TransformUnit& unit, const Settings& settings,
+                const hw::TransformUnit& unit, const ShadowTest& settings,
                 std::span<std::uint8_t> mask, bool noise)
         : store_(store), map_(map), unit_(unit), settings_(settings), mask_(mask),
           draws_noise_(noise) {}
@@ -72,7 +72,7 @@ private:
     hw::FrameStore<Depth>& store_;
     const LightMap<Depth>& map_;
     const hw::TransformUnit& unit_;
-    const Settings& settings_;
+    const ShadowTest& settings_;
     std::span<std::uint8_t> mask_;
     bool draws_noise_;
 };

@@ -1,6 +1,5 @@
 #include "shadow/post_process.hpp"
 
-#include "hw/divider.hpp"
 
 #include <algorithm>
 
@@ -9,7 +8,7 @@ namespace umbra78::shadow {
 template <class Depth>
 PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
                                const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const Settings& settings, const PostProcessWork& work,
+                               const ShadowTest& settings, const PostProcessWork& work,
                                std::span<std::uint8_t> mask) {
     const hw::MachineSpec& spec = settings.machine;
     const hw::TransformUnit unit(spec, matrix, work.unit);
@@ -37,11 +36,11 @@ PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
 
 template PostProcessCounts post_process(const hw::FrameStore<hw::Depth16>&,
                                         const hw::FrameStore<hw::Depth16>&,
-                                        const hw::MatrixWords&, const Settings&,
+                                        const hw::MatrixWords&, const ShadowTest&,
                                         const PostProcessWork&, std::span<std::uint8_t>);
 template PostProcessCounts post_process(const hw::FrameStore<hw::Depth32>&,
                                         const hw::FrameStore<hw::Depth32>&,
-                                        const hw::MatrixWords&, const Settings&,
+                                        const hw::MatrixWords&, const ShadowTest&,
                                         const PostProcessWork&, std::span<std::uint8_t>);
 
 }  // namespace umbra78::shadow

@@ -21,7 +21,7 @@ inline constexpr std::uint8_t mask_lit = 0;
 inline constexpr std::uint8_t mask_shadow = 255;
 
 // A pixel's words as they enter the transform unit.
-constexpr hw::Words pixel_words(int px, int py, std::uint32_t code, const Settings& s) {
+constexpr hw::Words pixel_words(int px, int py, std::uint32_t code, const ShadowTest& s) {
     const hw::MachineSpec& m = s.machine;
     const int half_word = m.input_fraction() - 1;
     const int centre = s.registration == Registration::centre ? 1 : 0;
@@ -38,12 +38,12 @@ struct PostProcessWork {
     bool noise = true;        // where dither is off, words of amplitude 0
     constexpr bool operator==(const PostProcessWork&) const = default;
 };
-constexpr PostProcessWork least_work(const Settings& s) {
+constexpr PostProcessWork needed_work(const ShadowTest& s) {
     return {{}, false, !hw::silent(s.dither, s.machine)};
 }
 
 // The noise of a frame; where dither is off it is drawn, if it is, with amplitude 0.
-constexpr hw::Dither drawn_dither(const Settings& s) {
+constexpr hw::Dither drawn_dither(const ShadowTest& s) {
     if (s.dither.shape != hw::DitherShape::none) return s.dither;
     return {hw::DitherShape::uniform, 0, s.dither.seed};
 }
@@ -57,13 +57,13 @@ struct PostProcessCounts {
 template <class Depth>
 PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
                                const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const Settings& settings, const PostProcessWork& work,
+                               const ShadowTest& settings, const PostProcessWork& work,
                                std::span<std::uint8_t> mask);
 template <class Depth>
 PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
                                const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const Settings& settings, std::span<std::uint8_t> mask) {
-    return post_process(observer, light, matrix, settings, least_work(settings), mask);
+                               const ShadowTest& settings, std::span<std::uint8_t> mask) {
+    return post_process(observer, light, matrix, settings, needed_work(settings), mask);
 }
 
 inline constexpr int widest_row = 512;
@@ -77,12 +77,12 @@ struct RowMemory {
 };
 
 // Whether the row form covers these settings and this matrix.
-bool rows_cover(const Settings& settings, const hw::MatrixWords& matrix);
+bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix);
 
 // Requires rows_cover.
 PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
                                     const hw::FrameStore<hw::Depth16>& light,
-                                    const hw::MatrixWords& matrix, const Settings& settings,
+                                    const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask);
 
 }  // namespace umbra78::shadow

@@ -18,8 +18,8 @@ using fixed::Rounding;
 
 // With 35-bit accumulators a shift of 6 leaves results of 29 bits, and low parts of 28 bits leave
 // room for two of them and a 31-bit product.
-constexpr int least_shift = 6;
-constexpr int greatest_shift = 28;
+constexpr int min_shift = 6;
+constexpr int max_shift = 28;
 
 struct Rounded {
     int shift;
@@ -30,7 +30,7 @@ int output_fraction(const hw::MachineSpec& m, std::size_t row) {
     return row == 2 ? m.depth_fraction() : m.fraction_bits;
 }
 
-Rounded rounded(const Settings& s, const hw::MatrixWords& matrix, std::size_t row) {
+Rounded rounded(const ShadowTest& s, const hw::MatrixWords& matrix, std::size_t row) {
     const int shift = hw::affine_shift(matrix, static_cast<hw::Row>(row), s.machine,
                                        hw::screen_words(s.machine),
                                        output_fraction(s.machine, row));
@@ -45,7 +45,7 @@ struct RowShare {
     int shift;
 };
 
-std::array<RowShare, 3> row_shares(const Settings& s, const hw::MatrixWords& m, int y) {
+std::array<RowShare, 3> row_shares(const ShadowTest& s, const hw::MatrixWords& m, int y) {
     std::array<RowShare, 3> out{};
     const std::int64_t one = s.machine.one_word();
     for (std::size_t r = 0; r < 3; ++r) {
@@ -59,7 +59,7 @@ std::array<RowShare, 3> row_shares(const Settings& s, const hw::MatrixWords& m, 
     return out;
 }
 
-void column_shares(const Settings& s, const hw::MatrixWords& m, RowMemory& memory) {
+void column_shares(const ShadowTest& s, const hw::MatrixWords& m, RowMemory& memory) {
     for (std::size_t r = 0; r < 3; ++r) {
         const int shift = rounded(s, m, r).shift;
         for (int x = 0; x < s.machine.size_px(); ++x) {
@@ -124,7 +124,7 @@ void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, Span span,
     }
 }
 
-void add_dither(const Settings& s, int y, Span span, RowMemory& memory) {
+void add_dither(const ShadowTest& s, int y, Span span, RowMemory& memory) {
     const hw::Dither& d = s.dither;
     if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, s.machine, y, span, memory);
     if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, s.machine, y, span, memory);
@@ -177,7 +177,7 @@ std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<hw::Dep
 }
 
 std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::Depth16>& light,
-                           Span span, const Settings& s, RowMemory& memory,
+                           Span span, const ShadowTest& s, RowMemory& memory,
                            std::uint8_t* mask) {
     const hw::MachineSpec& m = s.machine;
     const LightMap<hw::Depth16> map{light, m, Lookup::bilinear, s.background};
@@ -219,7 +219,7 @@ std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::De
 
 }  // namespace
 
-bool rows_cover(const Settings& settings, const hw::MatrixWords& matrix) {
+bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     const hw::MachineSpec& m = settings.machine;
     if (!matrix.affine || m.size_px() > widest_row || m.z_bits > 16 || m.word_bits() > 16 ||
         m.coefficient_bits > 16 || m.fraction_bits > 7 || m.fraction_bits < 1 ||
@@ -229,14 +229,14 @@ bool rows_cover(const Settings& settings, const hw::MatrixWords& matrix) {
         return false;
     for (std::size_t r = 0; r < 3; ++r) {
         const int shift = rounded(settings, matrix, r).shift;
-        if (shift < least_shift || shift > greatest_shift) return false;
+        if (shift < min_shift || shift > max_shift) return false;
     }
     return true;
 }
 
 PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
                                     const hw::FrameStore<hw::Depth16>& light,
-                                    const hw::MatrixWords& matrix, const Settings& settings,
+                                    const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask) {
     const hw::MachineSpec& m = settings.machine;
     const auto n = static_cast<std::size_t>(m.size_px());

@@ -1,7 +1,7 @@
 // The post-process's cost depends on what is seen, not on what is drawn: ten times as many patches
 // change neither its points nor its cycles, while drawing them grows.
-#include "shadow/ledger.hpp"
-#include "shadow/profiles.hpp"
+#include "shadow/frame/ledger.hpp"
+#include "shadow/frame/profiles.hpp"
 #include "tests/claims/ground.hpp"
 
 #include <gtest/gtest.h>

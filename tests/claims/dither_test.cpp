@@ -23,7 +23,7 @@ using hw::DitherWords;
 
 struct Moments {
     double mean = 0, variance = 0;
-    int least = 0, greatest = 0;
+    int min = 0, max = 0;
 };
 
 template <class Word>
@@ -34,8 +34,8 @@ Moments moments(const std::vector<DitherWords>& plane, Word&& word) {
         const int v = word(w);
         sum += v;
         squares += double{1} * v * v;
-        m.least = std::min(m.least, v);
-        m.greatest = std::max(m.greatest, v);
+        m.min = std::min(m.min, v);
+        m.max = std::max(m.max, v);
     }
     const auto n = static_cast<double>(plane.size());
     m.mean = sum / n;
@@ -84,14 +84,14 @@ TEST(Dither, HasTheStatedMeanAndVariance) {
         std::printf("%-10s mean %+.3f %+.3f words, variance %.2f %.2f (stated %.2f), deviation "
                     "%.4f texel, from %d to %d\n",
                     text, x.mean, y.mean, x.variance, y.variance, stated_variance(k),
-                    std::sqrt(x.variance) / texel_words, x.least, x.greatest);
+                    std::sqrt(x.variance) / texel_words, x.min, x.max);
         for (const Moments& m : {x, y}) {
             // Five standard errors, and what the last byte's width and the rounding can add.
             const double sigma = std::sqrt(stated_variance(k)) / 512;
             EXPECT_NEAR(m.mean, 0, 5 * sigma + 0.01) << text;
             EXPECT_NEAR(m.variance / stated_variance(k), 1, 0.015) << text;
-            EXPECT_GE(m.least, -64) << text;
-            EXPECT_LE(m.greatest, 64) << text;
+            EXPECT_GE(m.min, -64) << text;
+            EXPECT_LE(m.max, 64) << text;
         }
     }
 }

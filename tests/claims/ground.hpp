@@ -2,14 +2,14 @@
 // with a noise of the test's own.
 //
 // Every claim prints its numbers; they are the README's. Truth is in closed form and in double
-// precision (tools/truth.hpp): nothing of the machine is in it.
+// precision (tools/truth/truth.hpp): nothing of the machine is in it.
 #pragma once
 
-#include "tests/shadow/figure_frame.hpp"
-#include "tools/edge_bands.hpp"
-#include "tools/metrics.hpp"
-#include "tools/spectrum.hpp"
-#include "tools/truth.hpp"
+#include "tests/shadow/frame/figure_frame.hpp"
+#include "tools/truth/edge_bands.hpp"
+#include "tools/truth/metrics.hpp"
+#include "tools/truth/spectrum.hpp"
+#include "tools/truth/truth.hpp"
 
 #include <cmath>
 #include <cstdint>

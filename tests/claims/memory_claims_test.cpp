@@ -1,7 +1,7 @@
 // What memory of the time costs the post-process, and where it shows: dither, interpolation and the
 // light's angle as page misses of the light map (hw/MACHINE.md, section 17).
-#include "shadow/clocked_post_process.hpp"
-#include "shadow/memory_replay.hpp"
+#include "shadow/clocked/memory_replay.hpp"
+#include "shadow/clocked/post_process.hpp"
 #include "tests/claims/ground.hpp"
 
 #include <gtest/gtest.h>
@@ -22,12 +22,12 @@ using shadow::MemoryLedger;
 struct Lit {
     explicit Lit(int azimuth = -100, int elevation = 0) : settings(shadow::figure_settings(3)) {
         shadow::Scene scene = figures().scene();
-        scene.light.frame = raster::frame_from_angles(azimuth * 65536, elevation * 65536);
+        scene.light.axes = raster::axes_from_angles(azimuth * 65536, elevation * 65536);
         EXPECT_EQ(frame.draw(scene, settings), shadow::FrameStatus::ok);
     }
     MemoryLedger replay(const Settings& s) const {
         const hw::MatrixWords& matrix = frame.matrices.observer_to_light;
-        const shadow::PostProcessPlan plan(s, matrix);
+        const shadow::PostProcessPipeline plan(s, matrix);
         return replay_memory(frame.buffers.observer, matrix, s,
                              static_cast<std::uint64_t>(plan.slot_cycles));
     }

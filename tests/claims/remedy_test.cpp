@@ -27,7 +27,8 @@ TEST(Bias, OfFigures3And4InThreeUnits) {
         shadow::figure_view(shadow::figure_azimuth_q16), hw::MachineSpec{});
     for (const int figure : {3, 4}) {
         std::int64_t quanta_q16 = 0;
-        ASSERT_TRUE(bias_in_quanta(figure_settings(figure), units, quanta_q16));
+        const auto s = figure_settings(figure);
+        ASSERT_TRUE(shadow::bias_in_quanta(s.bias_q16, s.bias_unit, units, quanta_q16));
         const hw::Rational quanta = hw::Rational(quanta_q16, 65536);
         const hw::Rational world = quanta / units.quanta_per_world;
         const hw::Rational texels = world * units.texels_per_world;
@@ -136,7 +137,7 @@ TEST(Widths, AnAccumulatorOf22BitsIsEnough) {
         const auto with_bits = [&](int bits) {
             Settings s = figure_settings(3);
             s.lookup = lookup;
-            s.machine.accumulator_most = bits;
+            s.machine.max_accumulator_bits = bits;
             return shadow_error(ground.truth, Machine(s).compared());
         };
         const ShadowError exact = with_bits(35), enough = with_bits(22), little = with_bits(16);

@@ -17,7 +17,7 @@ using Wide = WideInt<24>;
 constexpr int lowest_unit = -512 - 27;
 
 // The value in units of the least bit that any word has.
-Wide in_least_units(const Float38& f) {
+Wide in_min_units(const Float38& f) {
     return Wide(f.mantissa()) << f.biased_exponent();
 }
 
@@ -48,10 +48,10 @@ Float38 model(const Wide& num, const Wide& den, int scale) {
 }
 
 Float38 model_sum(const Float38& a, const Float38& b) {
-    return model(in_least_units(a) + in_least_units(b), 1, lowest_unit);
+    return model(in_min_units(a) + in_min_units(b), 1, lowest_unit);
 }
 Float38 model_difference(const Float38& a, const Float38& b) {
-    return model(in_least_units(a) - in_least_units(b), 1, lowest_unit);
+    return model(in_min_units(a) - in_min_units(b), 1, lowest_unit);
 }
 Float38 model_product(const Float38& a, const Float38& b) {
     return model(Wide(a.mantissa()) * Wide(b.mantissa()), 1,
@@ -75,7 +75,7 @@ void expect_all(const Float38& a, const Float38& b) {
     expect_same(" - ", a, b, a - b, model_difference(a, b));
     expect_same(" * ", a, b, a * b, model_product(a, b));
     expect_same(" / ", a, b, a / b, model_quotient(a, b));
-    ASSERT_EQ(a <=> b, in_least_units(a) <=> in_least_units(b))
+    ASSERT_EQ(a <=> b, in_min_units(a) <=> in_min_units(b))
         << std::hex << a.bits() << " " << b.bits();
 }
 
@@ -209,12 +209,12 @@ TEST(Float38, ShortMantissasExhaustively) {
 }
 
 TEST(Float38, RangeEndsAtTheSignedMaximumAndAtZero) {
-    constexpr Float38 most = Float38::largest(false), least = Float38::from_parts(1 << 26, 0);
-    static_assert((most + most).bits() == most.bits() && (most * most).bits() == most.bits());
-    static_assert((Float38() - most - most).bits() == Float38::largest(true).bits());
-    static_assert((least * least).is_zero() && (least * least).bits() == 0);
-    static_assert((least / most).is_zero() && (most / least).bits() == most.bits());
-    static_assert((most / Float38()).bits() == most.bits() && (Float38() / Float38()).bits() == 0);
+    constexpr Float38 max = Float38::largest(false), min = Float38::from_parts(1 << 26, 0);
+    static_assert((max + max).bits() == max.bits() && (max * max).bits() == max.bits());
+    static_assert((Float38() - max - max).bits() == Float38::largest(true).bits());
+    static_assert((min * min).is_zero() && (min * min).bits() == 0);
+    static_assert((min / max).is_zero() && (max / min).bits() == max.bits());
+    static_assert((max / Float38()).bits() == max.bits() && (Float38() / Float38()).bits() == 0);
     static_assert((Float38::largest(true) / Float38()).bits() == Float38::largest(true).bits());
     static_assert(!test::is_constant([] { return Float38::from_parts(1 << 27, 0); }));
     static_assert(!test::is_constant([] { return Float38::from_parts(0, 1024); }));

@@ -46,12 +46,12 @@ TEST(Vector, ProductsAgainst128Bits) {
 
 TEST(Vector, OverflowIsACompileErrorAndATrap) {
     static_assert(!test::is_constant([] { return (Vector3{{INT64_MAX, 0, 0}} * 2)[0]; }));
-    constexpr Vector3 most{{INT64_MAX, INT64_MAX, INT64_MAX}};
+    constexpr Vector3 max{{INT64_MAX, INT64_MAX, INT64_MAX}};
     constexpr Vector3 ones{{1, 1, 1}};
-    EXPECT_DEATH(most + ones, "");
-    EXPECT_DEATH(-most - ones - ones, "");
-    EXPECT_DEATH(dot(most, ones), "");
-    EXPECT_DEATH(cross(most, -ones - ones), "");
+    EXPECT_DEATH(max + ones, "");
+    EXPECT_DEATH(-max - ones - ones, "");
+    EXPECT_DEATH(dot(max, ones), "");
+    EXPECT_DEATH(cross(max, -ones - ones), "");
 }
 
 }  // namespace

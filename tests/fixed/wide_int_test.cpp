@@ -36,8 +36,8 @@ void expect_same(Int128 a, Int128 b) {
     if (!__builtin_mul_overflow(a, b, &model)) {
         ASSERT_EQ(x * y, from_128<2>(model));
     }
-    constexpr Int128 least = Int128{1} << 126;
-    if (b != 0 && (b != -1 || a >= -least)) {
+    constexpr Int128 min = Int128{1} << 126;
+    if (b != 0 && (b != -1 || a >= -min)) {
         ASSERT_EQ(x / y, from_128<2>(a / b));
         ASSERT_EQ(x % y, from_128<2>(a % b));
     }
@@ -133,26 +133,26 @@ TEST(WideInt, EveryOverflowTraps) {
     static_assert(!test::is_constant([] { return (WideInt<1>(INT64_MAX) + 1).to_int64(); }));
     static_assert(!test::is_constant([] { return (WideInt<1>(INT64_MIN) - 1).to_int64(); }));
     static_assert(!test::is_constant([] { return (-WideInt<1>(INT64_MIN)).to_int64(); }));
-    const Wide2 most = ((Wide2(1) << 126) - 1) * 2 + 1, least = -most - 1;
-    EXPECT_DEATH(most + 1, "");
-    EXPECT_DEATH(least - 1, "");
-    EXPECT_DEATH(-least, "");
-    EXPECT_DEATH(least * -1, "");
-    EXPECT_DEATH(least / -1, "");
-    EXPECT_DEATH(most * 2, "");
-    EXPECT_DEATH(most * 3, "");                            // a carry leaves the top limb
+    const Wide2 max = ((Wide2(1) << 126) - 1) * 2 + 1, min = -max - 1;
+    EXPECT_DEATH(max + 1, "");
+    EXPECT_DEATH(min - 1, "");
+    EXPECT_DEATH(-min, "");
+    EXPECT_DEATH(min * -1, "");
+    EXPECT_DEATH(min / -1, "");
+    EXPECT_DEATH(max * 2, "");
+    EXPECT_DEATH(max * 3, "");                            // a carry leaves the top limb
     EXPECT_DEATH((Wide2(1) << 64) * (Wide2(1) << 64), "");  // a whole limb does
     EXPECT_DEATH((Wide2(1) << 100) * (Wide2(1) << 100), "");
-    EXPECT_DEATH(most << 1, "");
+    EXPECT_DEATH(max << 1, "");
     EXPECT_DEATH(Wide2(1) << 127, "");
     EXPECT_DEATH(Wide2(1) << 128, "");
     EXPECT_DEATH(Wide2(1) >> -1, "");
     EXPECT_DEATH(Wide2(1) / 0, "");
     EXPECT_DEATH((Wide2(1) << 63).to_int64(), "");
     EXPECT_DEATH(WideInt<1>(Wide2(1) << 63), "");
-    EXPECT_EQ(least * 1, least);
-    EXPECT_EQ(least / 1, least);
-    EXPECT_EQ((least >> 127).to_int64(), -1);
+    EXPECT_EQ(min * 1, min);
+    EXPECT_EQ(min / 1, min);
+    EXPECT_EQ((min >> 127).to_int64(), -1);
 }
 
 }  // namespace

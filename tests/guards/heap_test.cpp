@@ -1,8 +1,8 @@
 // A whole frame allocates nothing and fits in 3 MiB: every call of malloc is counted, and operator
 // new ends there too. Under AddressSanitizer, which has its own malloc, its hook counts.
-#include "shadow/frame.hpp"
-#include "shadow/memory_replay.hpp"
-#include "shadow/paper_figures.hpp"
+#include "shadow/clocked/memory_replay.hpp"
+#include "shadow/frame/frame.hpp"
+#include "shadow/frame/paper_figures.hpp"
 #include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>

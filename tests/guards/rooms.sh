@@ -12,29 +12,61 @@ forbidden='\b(float|double|new|delete|malloc|calloc|realloc|free|throw|try|catch
 forbidden="$forbidden|\bdynamic_cast\b|\bthread_local\b|std::(vector|string|map|set|function)\b"
 forbidden="$forbidden|std::(unique_ptr|shared_ptr|stable_sort|inplace_merge)\b"
 
+# The rooms as CMakeLists.txt declares them: a line each, the folder and then the rooms it names.
+grep -v '^ *#' CMakeLists.txt | tr '\n' ' ' | grep -oE 'umbra78_room\([^)]*"[^)]*\)' |
+  sed -E 's/umbra78_room\(//; s/"[^"]*"//; s/\)//; s/ +/ /g' >"$scratch/declared"
+[ "$(wc -l <"$scratch/declared")" -ge 20 ] || fail "CMakeLists.txt declares too few rooms"
+
+# For each room all rooms that it may include: itself, those it names, and theirs. A room is
+# declared after those it names, so no arrow runs back.
+declare -A may
+while read -r room named; do
+  may[$room]="$room"
+  for other in $named; do
+    if [ -z "${may[$other]:-}" ]; then
+      fail "CMakeLists.txt: $room names $other, which is not declared before it"
+    else
+      may[$room]="${may[$room]} ${may[$other]}"
+    fi
+  done
+done <"$scratch/declared"
+
+# Every folder with sources is a room, and its files include only what the room may.
 check_room() {
-  local room=$1 before=$2 file line included first
-  for file in $(find "$room" -name '*.hpp' -o -name '*.cpp' | sort); do
+  local folder=$1 file line included room
+  for file in $(find "$folder" -maxdepth 1 \( -name '*.hpp' -o -name '*.cpp' \) | sort); do
     while IFS= read -r line; do
-      included=${line#*:*[\"<]}
-      included=${included%%[\">]*}
-      first=${included%%/*}
-      case $line in
-        *\<*) [[ " ${allowed_standard//$'\n'/ } " == *" $included "* ]] ;;
-        *) [[ " $before " == *" $first "* ]] ;;
-      esac || fail "$file:${line%%:*}: $room/ must not include $included"
-    done < <(grep -nE '^[[:space:]]*#[[:space:]]*include' "$file")
-    # `new (place)` only names where an object stands.
-    plain_text "$file" | sed -E 's/#include.*//; s/\bnew \(//g' >"$scratch/text"
-    while IFS= read -r line; do
-      fail "$file:${line%%:*}: not in the core: ${line#*:}"
-    done < <(grep -nE "$forbidden" "$scratch/text")
+      included=${line#*\"}
+      included=${included%%\"*}
+      room=$(dirname "$included")
+      [[ " ${may[$folder]} " == *" $room "* ]] ||
+        fail "$file:${line%%:*}: $folder/ must not include $included"
+    done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' "$file")
   done
 }
-check_room fixed "fixed"
-check_room hw "fixed hw"
-check_room raster "fixed hw raster"
-check_room shadow "fixed hw raster shadow"
+for folder in $(find $rooms tools -name '*.?pp' -printf '%h\n' | sort -u); do
+  case $folder in tools/benchmarks) continue ;; esac
+  if [ -z "${may[$folder]:-}" ]; then
+    fail "$folder/ is no room of CMakeLists.txt"
+  else
+    check_room "$folder"
+  fi
+done
+
+# The core includes only harmless standard headers and names nothing of the heap.
+for file in $headers $sources; do
+  while IFS= read -r line; do
+    included=${line#*<}
+    included=${included%%>*}
+    [[ " ${allowed_standard//$'\n'/ } " == *" $included "* ]] ||
+      fail "$file:${line%%:*}: the core must not include <$included>"
+  done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' "$file")
+  # `new (place)` only names where an object stands.
+  plain_text "$file" | sed -E 's/#include.*//; s/\bnew \(//g' >"$scratch/text"
+  while IFS= read -r line; do
+    fail "$file:${line%%:*}: not in the core: ${line#*:}"
+  done < <(grep -nE "$forbidden" "$scratch/text")
+done
 
 # Tests of a room see the rooms it may see, tests/ and nothing of tools/.
 for room in $rooms; do

@@ -66,7 +66,7 @@ TEST(LoadMatrix, TakesTheSmallestExponentThatFits) {
                               spec, screen_words(spec), m),
                   LoadStatus::ok);
         const Int128 limit = power_of_two(spec.coefficient_bits - 1);
-        for (int e = least_exponent; e <= m.exponent[0]; ++e) {
+        for (int e = min_exponent; e <= m.exponent[0]; ++e) {
             bool fits = true;
             for (std::size_t k = 0; k < 3; ++k) {
                 const int shift = spec.coefficient_bits - 2 - e;
@@ -87,14 +87,14 @@ TEST(LoadMatrix, NamesARowOutOfRange) {
     const Rational limit(std::int64_t{1} << 32);  // words reach below 2 2^31
     EXPECT_EQ(load_matrix(matrix_of({limit - Rational(1 << 20), 0, 0}), {}, words_1978, m),
               LoadStatus::ok);
-    EXPECT_EQ(m.exponent[0], greatest_exponent);
+    EXPECT_EQ(m.exponent[0], max_exponent);
     EXPECT_EQ(load_matrix(matrix_of({limit, 0, 0}), {}, words_1978, m),
               LoadStatus::exponent_out_of_range);
     EXPECT_EQ(load_matrix(matrix_of({-limit, 0, 0}), {}, words_1978, m), LoadStatus::ok);
     // A row too small for the least exponent becomes small words, or zero; that is no error.
     const Rational small(1, std::int64_t{1} << 45);
     EXPECT_EQ(load_matrix(matrix_of({small, 0, 0}), {}, words_1978, m), LoadStatus::ok);
-    EXPECT_EQ(m.exponent[0], least_exponent);
+    EXPECT_EQ(m.exponent[0], min_exponent);
     EXPECT_EQ(m.word[0][0], 1);
 }
 
@@ -151,7 +151,7 @@ TEST(LoadMatrix, CornerProductsStayWithinTheAccumulator) {
                     MatrixWords matrix;
                     for (auto& row : matrix.word)
                         row = {pick(0, c), pick(1, c), pick(2, c), pick(3, c)};
-                    matrix.exponent.fill(greatest_exponent);
+                    matrix.exponent.fill(max_exponent);
                     const Words v{pick(4, w), pick(5, w), pick(6, w)};
                     const Int128 sum = model_sum(matrix, 0, v, m);
                     ASSERT_TRUE(-limit <= sum && sum < limit);
@@ -173,7 +173,7 @@ TEST(LoadMatrix, RefusesWhatTheDividerCannotDivide) {
     };
     for (int apart = -62; apart <= 62; ++apart) {
         const int row = apart / 2, w = row - apart;
-        if (row < least_exponent || w < least_exponent || w > greatest_exponent) continue;
+        if (row < min_exponent || w < min_exponent || w > max_exponent) continue;
         RationalMatrix exact = matrix_of({0, 0, 0});
         exact[0] = exact[2] = {power(row), 0, 0, 0};
         exact[3] = {power(w), 0, 0, 0};

@@ -1,5 +1,5 @@
 // The specification: 1978's formats, the ranges of the knobs, and that every width closes.
-#include "hw/divider.hpp"
+#include "hw/transform_unit.hpp"
 #include "hw/machine_spec.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(MachineSpec, TheDefaultIs1978s) {
 TEST(MachineSpec, EveryKnobIsRefusedOneStepOutsideItsRange) {
     struct Case {
         int MachineSpec::*knob;
-        int least, most;
+        int min, max;
         SpecStatus status;
     };
     constexpr std::array<Case, 5> cases{{
@@ -35,13 +35,13 @@ TEST(MachineSpec, EveryKnobIsRefusedOneStepOutsideItsRange) {
         {&MachineSpec::z_bits, 4, 24, SpecStatus::z_bits},
         {&MachineSpec::coefficient_bits, 8, 32, SpecStatus::coefficient_bits},
         {&MachineSpec::fraction_bits, 0, 12, SpecStatus::fraction_bits},
-        {&MachineSpec::accumulator_most, 16, 64, SpecStatus::accumulator_most},
+        {&MachineSpec::max_accumulator_bits, 16, 64, SpecStatus::max_accumulator_bits},
     }};
     for (const Case& c : cases) {
-        for (int value = c.least - 2; value <= c.most + 2; ++value) {
+        for (int value = c.min - 2; value <= c.max + 2; ++value) {
             MachineSpec m;
             m.*c.knob = value;
-            const bool inside = value >= c.least && value <= c.most;
+            const bool inside = value >= c.min && value <= c.max;
             EXPECT_EQ(check(m), inside ? SpecStatus::ok : c.status) << value;
         }
     }

@@ -88,7 +88,7 @@ TEST(NoiseSource, HasTheMomentsOfItsShape) {
     for (const DitherShape shape : shapes) {
         const Dither dither{shape, 256, 0x12345678};
         const int count = 1 << 16;
-        double sum = 0, squares = 0, cross = 0, most = 0;
+        double sum = 0, squares = 0, cross = 0, max = 0;
         for (int y = 0; y < count / 512; ++y) {
             NoiseSource source(dither, spec, 0, y);
             for (int x = 0; x < 512; ++x) {
@@ -97,14 +97,14 @@ TEST(NoiseSource, HasTheMomentsOfItsShape) {
                 sum += wx + wy;
                 squares += wx * wx + wy * wy;
                 cross += wx * wy;
-                most = std::max({most, std::abs(wx), std::abs(wy)});
+                max = std::max({max, std::abs(wx), std::abs(wy)});
             }
         }
         const double variance = 1.0 / 12 / uniforms(shape);
         EXPECT_NEAR(sum / (2 * count), 0, 5 * std::sqrt(variance / (2 * count)));
         EXPECT_NEAR(squares / (2 * count) / variance, 1, 0.02);
         EXPECT_NEAR(cross / count / variance, 0, 0.02);
-        EXPECT_LE(most, 0.5);
+        EXPECT_LE(max, 0.5);
     }
 }
 

@@ -30,18 +30,18 @@ inline MachineSpec random_spec(Random& random) {
     m.fraction_bits = static_cast<int>(random.between(0, 12));
     m.transform_rounding = random.rounding();
     m.coefficient_rounding = random.rounding();
-    if (random.bits() % 2 == 0) m.accumulator_most = static_cast<int>(random.between(16, 62));
+    if (random.bits() % 2 == 0) m.max_accumulator_bits = static_cast<int>(random.between(16, 62));
     m.product_rounding = random.rounding();
     return m;
 }
 
 // A word of `bits` bits, every fourth one the least or the greatest there is.
 inline std::int32_t random_word(Random& random, int bits) {
-    const std::int64_t least = -(std::int64_t{1} << (bits - 1));
+    const std::int64_t min = -(std::int64_t{1} << (bits - 1));
     switch (random.bits() % 8) {
-        case 0: return static_cast<std::int32_t>(least);
-        case 1: return static_cast<std::int32_t>(-least - 1);
-        default: return static_cast<std::int32_t>(random.between(least, -least - 1));
+        case 0: return static_cast<std::int32_t>(min);
+        case 1: return static_cast<std::int32_t>(-min - 1);
+        default: return static_cast<std::int32_t>(random.between(min, -min - 1));
     }
 }
 
@@ -63,7 +63,7 @@ inline MatrixWords random_matrix(Random& random, const MachineSpec& spec, bool a
 inline Int128 model_sum(const MatrixWords& m, std::size_t r, const Words& v,
                         const MachineSpec& spec) {
     const int needed = spec.word_bits() + spec.coefficient_bits + 3;
-    const Int128 place = power_of_two(std::max(needed - spec.accumulator_most, 0));
+    const Int128 place = power_of_two(std::max(needed - spec.max_accumulator_bits, 0));
     const auto& c = m.word[r];
     const auto cut = [&](Int128 product) {
         return model_round(product, place, spec.product_rounding) * place;

@@ -39,7 +39,7 @@ TEST(TransformUnit, AffineRowsAreExactSumsRoundedOnce) {
 TEST(TransformUnit, AShortAccumulatorLosesLowBits) {
     MachineSpec spec;
     EXPECT_EQ(spec.dropped_bits(), 0);
-    spec.accumulator_most = 22;
+    spec.max_accumulator_bits = 22;
     EXPECT_EQ(spec.dropped_bits(), 13);
     EXPECT_EQ(spec.built_bits(), 22);
     MatrixWords m;

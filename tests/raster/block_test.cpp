@@ -106,8 +106,8 @@ TEST(Block, BoundsHoldForDenseSamples) {
             for (int j = 0; j <= dense; ++j) {
                 for (int i = 0; i <= dense; ++i) {
                     const double f = at(i, j);
-                    ASSERT_GE(f, static_cast<double>(b.least) - tolerance);
-                    ASSERT_LE(f, static_cast<double>(b.greatest) + tolerance);
+                    ASSERT_GE(f, static_cast<double>(b.min) - tolerance);
+                    ASSERT_LE(f, static_cast<double>(b.max) + tolerance);
                     if (i < dense) within((at(i + 1, j) - f) * dense, b.slope_u);
                     if (j < dense) within((at(i, j + 1) - f) * dense, b.slope_v);
                     // An eighth of the mean second derivative over two steps.

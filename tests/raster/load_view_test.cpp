@@ -1,6 +1,6 @@
 // Which views can be drawn: a raster word and all that is made of it stay within 64 bits, or the
 // view is refused.
-#include "tests/support/stage.hpp"
+#include "tests/support/drawing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 Patch crumpled() {
     Patch p;
     for (std::size_t k = 0; k < 16; ++k) {
-        const std::int32_t c = (k + k / 4) % 2 == 0 ? greatest_world : -greatest_world;
+        const std::int32_t c = (k + k / 4) % 2 == 0 ? max_world : -max_world;
         p.control[k] = {c, c, c};
     }
     return p;

@@ -2,7 +2,7 @@
 // block left out as hidden, changes a bit.
 #include "tests/fixed/boundary.hpp"
 #include "tests/support/buffers.hpp"
-#include "tests/support/stage.hpp"
+#include "tests/support/drawing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 using fixed::test::Random;
 using umbra78::test::expect_equal_buffers;
 using umbra78::test::Patches;
-using umbra78::test::Stage;
+using umbra78::test::Drawing;
 
 void shuffle(std::vector<std::uint32_t>& order, Random& random) {
     for (std::size_t k = order.size(); k > 1; --k)
@@ -57,7 +57,7 @@ protected:
             spec.coefficient_bits = 24;
             view = umbra78::test::perspective(15, 20, 2, 6, 1, 12);
         }
-        Stage<> stage(spec);
+        Drawing<> stage(spec);
         stage.materials = {{215, 90, 5}, {90, 0, 0}, {160, 80, 3}};
         *counts = stage.draw(patches, view, sampling, &light, order, may_hide);
         return {stage.depth(), stage.intensity()};
@@ -131,7 +131,7 @@ TEST(Sinks, KeepTheLeastWhateverTheOrder) {
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0u);
     for (int n = 0; n < 20; ++n) {
-        Stage<> picture(spec), light(spec);
+        Drawing<> picture(spec), light(spec);
         auto store = picture.store(), map = light.store();
         PictureSink<hw::Depth16> picture_sink{store};
         DepthSink<hw::Depth16> depth_sink{map};

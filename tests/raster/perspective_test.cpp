@@ -15,7 +15,7 @@ using umbra78::test::Patches;
 using umbra78::test::perspective;
 using umbra78::test::plane;
 using umbra78::test::q16;
-using umbra78::test::Stage;
+using umbra78::test::Drawing;
 
 MachineSpec wide_coefficients() {
     MachineSpec spec;
@@ -45,7 +45,7 @@ TEST_P(PerspectiveSphere, HasTheRightOutlineAndDepth) {
     Patches patches;
     umbra78::test::add_sphere(patches, sphere);
     for (const Sampling sampling : {Sampling::centre, Sampling::leaf}) {
-        Stage<> stage(spec);
+        Drawing<> stage(spec);
         EXPECT_EQ(stage.draw(patches, view, sampling).unresolved, 0u);
         const double reach = sampling == Sampling::centre ? margin : 0.7072 + margin;
         int must = 0, missed = 0, stray = 0, deep = 0;
@@ -62,20 +62,20 @@ TEST_P(PerspectiveSphere, HasTheRightOutlineAndDepth) {
                 if (disc_lies(camera, sphere, x, y, reach) == Lies::outside && stray++ == 0)
                     ADD_FAILURE() << "pixel " << px << ", " << py << " is drawn outside";
                 // Depths of the places round about bound the code.
-                double least = 1e9, most = -1e9;
+                double min = 1e9, max = -1e9;
                 for (const double dx : {-reach, 0.0, reach}) {
                     for (const double dy : {-reach, 0.0, reach}) {
                         const auto at = hit(camera.ray(x + dx, y + dy), sphere);
                         const double code = at ? camera.code(*at, spec) : 1e9;
-                        least = std::min(least, code);
-                        most = std::max(most, code);
+                        min = std::min(min, code);
+                        max = std::max(max, code);
                     }
                 }
-                if (most == 1e9) continue;  // at the limb
+                if (max == 1e9) continue;  // at the limb
                 const double code = stage.depth_at(px, py);
-                if ((code < least - 3 || code > most + 3) && deep++ == 0)
+                if ((code < min - 3 || code > max + 3) && deep++ == 0)
                     ADD_FAILURE() << "pixel " << px << ", " << py << ": code " << code
-                                  << " not in " << least << " .. " << most;
+                                  << " not in " << min << " .. " << max;
                 const auto at = hit(camera.ray(x, y), sphere);
                 worst = std::max(worst, std::abs(code - camera.code(*at, spec)));
                 sum += code - camera.code(*at, spec);
@@ -103,7 +103,7 @@ TEST(Perspective, SurfacesThatReachBehindTheEyeAreDrawn) {
             const View view = perspective(0, 0, 2, 5, near, 60);
             const Patches floor{plane_patch(plane({-20, -1, behind}, {40, 0, 0},
                                                   {0, 0, -30 - behind}))};
-            Stage<> stage(spec);
+            Drawing<> stage(spec);
             const DrawCounts counts = stage.draw(floor, view, Sampling::centre);
             EXPECT_EQ(counts.unresolved, 0u);
             EXPECT_LT(counts.blocks, 10000u);
@@ -126,7 +126,7 @@ TEST(Perspective, WhatEndsJustBeforeTheEyeTakesFewSplits) {
     for (const double near : {0.0009765625, 0.0625, 0.5}) {
         const View view = perspective(0, 0, 2, 5, near, 60);
         const Patches floor{plane_patch(plane({-20, -1, 5 - 1.0 / 512}, {40, 0, 0}, {0, 0, -30}))};
-        Stage<> stage(spec);
+        Drawing<> stage(spec);
         const DrawCounts counts = stage.draw(floor, view, Sampling::centre);
         EXPECT_EQ(counts.unresolved, 0u);
         EXPECT_LT(counts.splits, 10000u) << "near " << near;
@@ -140,7 +140,7 @@ TEST(Perspective, TheEyeMayStandInASurfaceOrInsideASphere) {
     Patches patches{plane_patch(plane({-20, 0, 20}, {40, 0, 0}, {0, 0, -40})),
                     plane_patch(plane({0, -20, 20}, {0, 40, 0}, {0, 0, -40}))};
     umbra78::test::add_sphere(patches, umbra78::test::sphere(0, 0, 5, 10));
-    Stage<> stage(spec);
+    Drawing<> stage(spec);
     const DrawCounts counts = stage.draw(patches, view, Sampling::centre);
     EXPECT_EQ(counts.unresolved, 0u);
     EXPECT_LT(counts.blocks, 30000u);

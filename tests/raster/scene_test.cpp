@@ -34,7 +34,7 @@ std::array<Control, 3> coordinates(const Patch& p) {
 TEST(SpherePatches, StayNearTheSphere) {
     for (const Sphere s : {Sphere{{0, 0, 0}, 1 << 16, 0}, Sphere{{-68813, 39322, 0}, 47186, 3},
                            Sphere{{1, 2, 3}, 1000 << 16, 0}, Sphere{{5, -5, 5}, 16, 1}}) {
-        double least = 0, most = 0;
+        double min = 0, max = 0;
         for (const Patch& patch : patches_of(s)) {
             EXPECT_EQ(patch.material, s.material);
             const auto c = coordinates(patch);
@@ -43,13 +43,13 @@ TEST(SpherePatches, StayNearTheSphere) {
                     const double radius = std::hypot(value(c[0], i, j, 16) - s.centre.x,
                                                      value(c[1], i, j, 16) - s.centre.y,
                                                      value(c[2], i, j, 16) - s.centre.z);
-                    least = std::min(least, radius - s.radius);
-                    most = std::max(most, radius - s.radius);
+                    min = std::min(min, radius - s.radius);
+                    max = std::max(max, radius - s.radius);
                 }
             }
         }
-        EXPECT_GT(least, -1.5) << "words, radius " << s.radius;
-        EXPECT_LT(most, 8.6e-6 * s.radius + 1.5) << "words, radius " << s.radius;
+        EXPECT_GT(min, -1.5) << "words, radius " << s.radius;
+        EXPECT_LT(max, 8.6e-6 * s.radius + 1.5) << "words, radius " << s.radius;
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 using fixed::test::Random;
 using umbra78::test::Patches;
-using umbra78::test::Stage;
+using umbra78::test::Drawing;
 
 struct Place {
     double x, y;  // pixels from the frame's centre
@@ -100,7 +100,7 @@ Patch laid_out(Random& random, Vector3 o, Vector3 u, Vector3 v) {
     return plane_patch(umbra78::test::plane(o, u, v));
 }
 
-void expect_no_hole(const Fold& fold, const Stage<>& stage, int number, std::int64_t& pixels) {
+void expect_no_hole(const Fold& fold, const Drawing<>& stage, int number, std::int64_t& pixels) {
     for (int py = 0; py < 512; ++py) {
         for (int px = 0; px < 512; ++px) {
             const Place p{px - 255.5, py - 255.5};
@@ -124,7 +124,7 @@ void expect_no_hole(const Fold& fold, const Stage<>& stage, int number, std::int
 void fold_planes(const MachineSpec& spec, const View& view) {
     Random random;
     const Camera camera(view, spec);
-    Stage<> stage(spec);
+    Drawing<> stage(spec);
     std::int64_t pixels = 0;
     const int count = umbra78::test::effort(200);
     for (int n = 0; n < count && !testing::Test::HasFailure(); ++n) {

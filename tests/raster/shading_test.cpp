@@ -16,7 +16,7 @@ using umbra78::test::Patches;
 using umbra78::test::perspective;
 using umbra78::test::plane;
 using umbra78::test::q16;
-using umbra78::test::Stage;
+using umbra78::test::Drawing;
 
 double level_of(const Material& m, double ambient, double nl, double nv, double lv) {
     if (nv < 0) {
@@ -95,7 +95,7 @@ TEST(Shading, TheHighlightIsBrightestInTheMirrorDirection) {
 // All of a sphere of 92 pixels but its last 3 % next to the limb. A level is its leaf's, taken up
 // to half a pixel away, so it may differ by the level's change within the pixel and by 1.
 void expect_sphere_levels(double azimuth, double elevation, const Material& material) {
-    Stage<> stage;
+    Drawing<> stage;
     stage.materials = {material};
     stage.ambient_q8 = 90;
     const View view = orthographic(azimuth, elevation, 2);
@@ -105,7 +105,7 @@ void expect_sphere_levels(double azimuth, double elevation, const Material& mate
     umbra78::test::add_sphere(patches, sphere);
     stage.draw(patches, view, Sampling::centre, &light);
     const Camera camera(view, {});
-    const Vector3 l = axis3(light.frame.back);
+    const Vector3 l = axis3(light.axes.back);
     const auto truth = [&](double x, double y) {
         const auto at = hit(camera.ray(x, y), sphere);
         if (!at) return -1.0;
@@ -149,7 +149,7 @@ TEST(Shading, OfASphereIsAnalyticAtEveryPixelAndAtThePoles) {
 
 // A plane under a point light: the direction changes from place to place.
 TEST(Shading, APointLightShinesFromItsPlace) {
-    Stage<> stage;
+    Drawing<> stage;
     stage.materials = {{200, 50, 4}};
     stage.ambient_q8 = 26;
     const View view = orthographic(10, 80, 2);

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 using fixed::test::Random;
 using umbra78::test::Patches;
-using umbra78::test::Stage;
+using umbra78::test::Drawing;
 
 // How far a sample may stand from its pixel's centre, in pixels. Coefficients and object words of
 // 16 bits move a surface by up to 0.06. Centre sampling reaches past its triangle by the slack,
@@ -25,18 +25,18 @@ constexpr double reach_of_centres = words + 0.0221;
 constexpr double reach_of_leaves = words + 0.7072;
 
 struct Statistics {
-    double least = 0, most = 0, sum = 0;
+    double min = 0, max = 0, sum = 0;
     std::int64_t count = 0;
     void add(double v) {
-        least = std::min(least, v);
-        most = std::max(most, v);
+        min = std::min(min, v);
+        max = std::max(max, v);
         sum += v;
         ++count;
     }
     double mean() const { return sum / static_cast<double>(count); }
     void print() const {
-        std::cout << "[ measured ] depth error over " << count << " pixels: " << least << " .. "
-                  << most << " quanta, mean " << mean() << '\n';
+        std::cout << "[ measured ] depth error over " << count << " pixels: " << min << " .. "
+                  << max << " quanta, mean " << mean() << '\n';
     }
 };
 
@@ -81,7 +81,7 @@ struct Rule {
     double place_px;  // how far from the pixel's centre its depth may be taken, and 3 quanta
 };
 
-void tally(const Placement& p, const Stage<>& stage, const Rule& rule, Tally& t) {
+void tally(const Placement& p, const Drawing<>& stage, const Rule& rule, Tally& t) {
     std::int64_t drawn = 0;
     const auto from = [](double v) { return std::clamp(static_cast<int>(v) + 256 - 3, 0, 511); };
     const auto to = [](double v) { return std::clamp(static_cast<int>(v) + 256 + 3, 0, 511); };
@@ -118,7 +118,7 @@ void tally(const Placement& p, const Stage<>& stage, const Rule& rule, Tally& t)
 Tally draw_placements(int count, const Rule& rule) {
     Random random;
     Tally t;
-    Stage<> stage;
+    Drawing<> stage;
     for (int n = 0; n < count; ++n) {
         const Placement p = place(random);
         Patches patches;
@@ -156,7 +156,7 @@ TEST(Sphere, NoPixelIsMissedInAThousandPlacementsByLeaves) {
 TEST(Sphere, DepthsOfTheFiguresOwnView) {
     for (const double within : {0.5, 0.95}) {
         Statistics depth;
-        Stage<> stage;
+        Drawing<> stage;
         Placement p{umbra78::test::sphere(0.3, -0.2, 0.1, 0.72), {}, 38.4, 25.6, -12.8, 92.16};
         p.view = umbra78::test::orthographic(0, 0, 2);
         Patches patches;
@@ -169,8 +169,8 @@ TEST(Sphere, DepthsOfTheFiguresOwnView) {
             }
         }
         depth.print();
-        EXPECT_GT(depth.least, within == 0.5 ? -1.5 : -1.5 - 0.0221 * 3.04 * 128);
-        EXPECT_LT(depth.most, within == 0.5 ? 1 : 2);
+        EXPECT_GT(depth.min, within == 0.5 ? -1.5 : -1.5 - 0.0221 * 3.04 * 128);
+        EXPECT_LT(depth.max, within == 0.5 ? 1 : 2);
         EXPECT_NEAR(depth.mean(), 0, 0.2);
     }
 }

@@ -1,7 +1,7 @@
 // Truth for the rasterizer's tests, in double precision: where a sphere is on the screen.
 #pragma once
 
-#include "tests/support/stage.hpp"
+#include "tests/support/drawing.hpp"
 
 #include <array>
 #include <cmath>
@@ -28,8 +28,8 @@ inline Vector3 world3(const World& w) { return {w.x / 65536.0, w.y / 65536.0, w.
 // Rays of a view's screen places, in pixels from the centre, y down.
 struct Camera {
     Camera(const View& v, const MachineSpec& spec)
-        : view(v), half_px(spec.half_px()), right(axis3(v.frame.right)), up(axis3(v.frame.up)),
-          back(axis3(v.frame.back)), target(world3(v.target)), extent(v.extent / 65536.0),
+        : view(v), half_px(spec.half_px()), right(axis3(v.axes.right)), up(axis3(v.axes.up)),
+          back(axis3(v.axes.back)), target(world3(v.target)), extent(v.extent / 65536.0),
           distance(v.distance / 65536.0), near(static_cast<double>(v.near_depth) / 65536),
           far(static_cast<double>(v.far_depth) / 65536) {}
 

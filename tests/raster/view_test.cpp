@@ -26,7 +26,7 @@ double value(const Rational& r) {
 }
 
 // Greatest deviation of the frame's six dot products from those of an orthonormal one.
-double skew(const Frame& f) {
+double skew(const ViewAxes& f) {
     const std::array axes{axis3(f.right), axis3(f.up), axis3(f.back)};
     double worst = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -35,7 +35,7 @@ double skew(const Frame& f) {
     return worst;
 }
 
-double determinant(const Frame& f) {
+double determinant(const ViewAxes& f) {
     const Vector3 r = axis3(f.right), u = axis3(f.up), b = axis3(f.back);
     return r[0] * (u[1] * b[2] - u[2] * b[1]) - r[1] * (u[0] * b[2] - u[2] * b[0]) +
            r[2] * (u[0] * b[1] - u[1] * b[0]);
@@ -48,19 +48,19 @@ World random_world(Random& random, int shift) {
     return {word(), word(), word()};
 }
 
-TEST(Frame, IsOrthonormalWithinAFewUnits) {
+TEST(ViewAxes, IsOrthonormalWithinAFewUnits) {
     Random random;
     double worst_angles = 0, worst_points = 0;
     for (int n = 0; n < 20000; ++n) {
         const auto azimuth = static_cast<std::int32_t>(random.between(-360 * 65536, 360 * 65536));
         const auto elevation = static_cast<std::int32_t>(random.between(-90 * 65536, 90 * 65536));
-        const Frame a = frame_from_angles(azimuth, elevation);
+        const ViewAxes a = axes_from_angles(azimuth, elevation);
         worst_angles = std::max(worst_angles, skew(a));
         ASSERT_NEAR(determinant(a), 1, 1e-8);
         const int shift = static_cast<int>(random.between(0, 28));
         const World from = random_world(random, shift), to = random_world(random, shift);
-        Frame p;
-        if (!frame_from_points(from, to, p)) continue;
+        ViewAxes p;
+        if (!axes_from_points(from, to, p)) continue;
         worst_points = std::max(worst_points, skew(p));
         ASSERT_NEAR(determinant(p), 1, 1e-8);
         const Vector3 away = along(world3(from), -1, world3(to));
@@ -75,32 +75,32 @@ TEST(Frame, IsOrthonormalWithinAFewUnits) {
     EXPECT_LT(worst_points, 12 * q30);
 }
 
-TEST(Frame, LooksWhereItIsTold) {
+TEST(ViewAxes, LooksWhereItIsTold) {
     constexpr std::int32_t one = 1 << 30;
-    const Frame front = frame_from_angles(0, 0);
+    const ViewAxes front = axes_from_angles(0, 0);
     EXPECT_EQ(front.right, (Axis{one, 0, 0}));
     EXPECT_EQ(front.up, (Axis{0, one, 0}));
     EXPECT_EQ(front.back, (Axis{0, 0, one}));
-    EXPECT_EQ(frame_from_angles(q16(90), 0).back, (Axis{one, 0, 0})) << "azimuth is to the right";
-    EXPECT_EQ(frame_from_angles(0, q16(90)).back, (Axis{0, one, 0}));
-    EXPECT_EQ(frame_from_angles(0, q16(90)).up, (Axis{0, 0, -one}));
+    EXPECT_EQ(axes_from_angles(q16(90), 0).back, (Axis{one, 0, 0})) << "azimuth is to the right";
+    EXPECT_EQ(axes_from_angles(0, q16(90)).back, (Axis{0, one, 0}));
+    EXPECT_EQ(axes_from_angles(0, q16(90)).up, (Axis{0, 0, -one}));
 
-    Frame f;
-    EXPECT_FALSE(frame_from_points({1, 2, 3}, {1, 2, 3}, f));
-    ASSERT_TRUE(frame_from_points({5, 9, -7}, {5, 2, -7}, f)) << "straight above";
+    ViewAxes f;
+    EXPECT_FALSE(axes_from_points({1, 2, 3}, {1, 2, 3}, f));
+    ASSERT_TRUE(axes_from_points({5, 9, -7}, {5, 2, -7}, f)) << "straight above";
     EXPECT_EQ(f.back, (Axis{0, one, 0}));
     EXPECT_EQ(f.right, (Axis{one, 0, 0}));
     EXPECT_EQ(f.up, (Axis{0, 0, -one}));
-    ASSERT_TRUE(frame_from_points({5, 1, -7}, {5, 2, -7}, f)) << "straight below";
+    ASSERT_TRUE(axes_from_points({5, 1, -7}, {5, 2, -7}, f)) << "straight below";
     EXPECT_EQ(f.back, (Axis{0, -one, 0}));
     EXPECT_EQ(f.up, (Axis{0, 0, one}));
-    ASSERT_TRUE(frame_from_points({INT32_MAX, INT32_MAX, INT32_MAX},
+    ASSERT_TRUE(axes_from_points({INT32_MAX, INT32_MAX, INT32_MAX},
                                   {INT32_MIN, INT32_MIN, INT32_MIN}, f)) << "33-bit differences";
     EXPECT_NEAR(f.back[0] * q30, std::sqrt(1 / 3.0), 2 * q30);
     // The same direction by angles and by points.
-    const Frame angles = frame_from_angles(q16(-100), q16(30));
+    const ViewAxes angles = axes_from_angles(q16(-100), q16(30));
     const auto back = axis3(angles.back);
-    ASSERT_TRUE(frame_from_points({q16(20000 * back[0]), q16(20000 * back[1]),
+    ASSERT_TRUE(axes_from_points({q16(20000 * back[0]), q16(20000 * back[1]),
                                    q16(20000 * back[2])}, {}, f));
     for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_NEAR(f.right[k] * q30, angles.right[k] * q30, 1e-8);
@@ -212,8 +212,8 @@ TEST(View, DepthIsFittedToTheScene) {
     umbra78::test::add_sphere(patches, umbra78::test::sphere(0, 0, 3, 1));
     View v = orthographic(0, 0, 2);
     const DepthRange o = depth_range(v, patches);
-    EXPECT_EQ(o.least, q16(-4));
-    EXPECT_EQ(o.greatest, q16(-2));
+    EXPECT_EQ(o.min, q16(-4));
+    EXPECT_EQ(o.max, q16(-2));
     fit_depth(v, o);
     EXPECT_EQ(v.near_depth, q16(-4)) << "the scene reaches out of the cube";
     EXPECT_EQ(v.far_depth, q16(4));
@@ -222,12 +222,12 @@ TEST(View, DepthIsFittedToTheScene) {
 
     v = perspective(0, 0, 2, 10, 1, 2);
     const DepthRange p = depth_range(v, patches);
-    EXPECT_EQ(p.least, q16(6));
-    EXPECT_EQ(p.greatest, q16(8));
+    EXPECT_EQ(p.min, q16(6));
+    EXPECT_EQ(p.max, q16(8));
     fit_depth(v, p);
-    EXPECT_LT(v.near_depth, p.least);
-    EXPECT_GT(v.near_depth, p.least * 62 / 64);
-    EXPECT_GT(v.far_depth, p.greatest);
+    EXPECT_LT(v.near_depth, p.min);
+    EXPECT_GT(v.near_depth, p.min * 62 / 64);
+    EXPECT_GT(v.far_depth, p.max);
     fit_depth(v, {q16(-5), q16(20)});  // behind the eye
     EXPECT_EQ(v.near_depth, v.far_depth / 1024);
     fit_depth(v, {q16(-5), q16(-1)});  // all behind it

@@ -1,8 +1,8 @@
 // The bias in its three units, and that it arrives in the matrix as many quanta as it says.
 #include "shadow/bias.hpp"
 
-#include "shadow/frame.hpp"
-#include "shadow/paper_figures.hpp"
+#include "shadow/frame/frame.hpp"
+#include "shadow/frame/paper_figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +15,8 @@ namespace {
 constexpr std::int64_t one_q16 = 1 << 16;
 
 std::int64_t in_quanta(BiasUnit unit, std::int64_t bias_q16, const BiasUnits& units) {
-    Settings s;
-    s.bias_unit = unit;
-    s.bias_q16 = bias_q16;
     std::int64_t out = -1;
-    EXPECT_TRUE(bias_in_quanta(s, units, out));
+    EXPECT_TRUE(bias_in_quanta(bias_q16, unit, units, out));
     return out;
 }
 
@@ -81,16 +78,12 @@ TEST(Bias, ThatDoesNotFitIsSaid) {
     hw::MachineSpec spec;
     spec.z_bits = 24;
     const BiasUnits u = bias_units(light, spec);
-    Settings s;
-    s.bias_unit = BiasUnit::world;
+    constexpr std::int64_t beyond = std::int64_t{1} << 23;
     std::int64_t out = 0;
-    s.bias_q16 = (std::int64_t{1} << 23) - 1;
-    EXPECT_TRUE(bias_in_quanta(s, u, out));
-    EXPECT_EQ(out, s.bias_q16 << 40);
-    s.bias_q16 = std::int64_t{1} << 23;
-    EXPECT_FALSE(bias_in_quanta(s, u, out));
-    s.bias_q16 = -(std::int64_t{1} << 23);
-    EXPECT_TRUE(bias_in_quanta(s, u, out));
+    EXPECT_TRUE(bias_in_quanta(beyond - 1, BiasUnit::world, u, out));
+    EXPECT_EQ(out, (beyond - 1) << 40);
+    EXPECT_FALSE(bias_in_quanta(beyond, BiasUnit::world, u, out));
+    EXPECT_TRUE(bias_in_quanta(-beyond, BiasUnit::world, u, out));
     EXPECT_EQ(out, INT64_MIN);
 }
 

@@ -211,8 +211,8 @@ TEST(Compare, RandomPlacesAgainstTheSlowModel) {
             const hw::DitherWords d{static_cast<std::int32_t>(random.between(-noise, noise)),
                                     static_cast<std::int32_t>(random.between(-noise, noise))};
             // The least code in shadow, by bisection on the slow model.
-            const std::int64_t least = -s.machine.depth_offset();
-            std::int64_t low = least, high = least + s.machine.deepest_drawn();
+            const std::int64_t min = -s.machine.depth_offset();
+            std::int64_t low = min, high = min + s.machine.deepest_drawn();
             while (low < high) {
                 p.z = low + (high - low) / 2;
                 test::slow_in_shadow(map, p, d) ? high = p.z : low = p.z + 1;

@@ -2,7 +2,7 @@
 // highlights in shadow; beside the post-process, with the numbers of both.
 #include "shadow/correct_form.hpp"
 
-#include "tests/shadow/figure_frame.hpp"
+#include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
 #include "tests/support/buffers.hpp"
 

@@ -2,9 +2,8 @@
 // for bit.
 #include "shadow/post_process.hpp"
 
-#include "hw/divider.hpp"
-#include "shadow/frame.hpp"
-#include "tests/shadow/figure_frame.hpp"
+#include "shadow/frame/frame.hpp"
+#include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
 #include "tests/shadow/slow_lookup.hpp"
 #include "tests/support/buffers.hpp"
@@ -281,7 +280,7 @@ TEST(PostProcessRows, CoverWhatTheySay) {
                   r == Rounding::half_up || r == Rounding::floor);
     // The shift is 14 - e here; from 6 to 28 the 32-bit lanes hold all parts.
     for (std::size_t row = 0; row < 3; ++row)
-        for (int e = hw::least_exponent; e <= hw::greatest_exponent; ++e)
+        for (int e = hw::min_exponent; e <= hw::max_exponent; ++e)
             EXPECT_EQ(covers([&](Settings&, W& w) { w.exponent[row] = e; }), e >= -14 && e <= 8)
                 << "row " << row << " exponent " << e;
     EXPECT_TRUE(covers([](Settings&, W& w) { w.exponent[3] = 31; })) << "the W row is not used";

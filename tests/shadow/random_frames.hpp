@@ -2,6 +2,7 @@
 // represented: the ends of every range, the background, and surfaces as well as noise.
 #pragma once
 
+#include "shadow/frame/settings.hpp"
 #include "shadow/post_process.hpp"
 #include "tests/fixed/boundary.hpp"
 
@@ -56,13 +57,13 @@ void fill_depth(Random& random, const hw::MachineSpec& spec, std::vector<Depth>&
 inline hw::MatrixWords random_matrix(Random& random, const hw::MachineSpec& spec, bool affine) {
     hw::MatrixWords m;
     m.affine = affine;
-    const std::int64_t most = (std::int64_t{1} << (spec.coefficient_bits - 1)) - 1;
+    const std::int64_t max = (std::int64_t{1} << (spec.coefficient_bits - 1)) - 1;
     for (std::size_t r = 0; r < 4; ++r) {
         m.exponent[r] = static_cast<int>(random.between(-3, 2));
         for (std::int32_t& w : m.word[r]) {
-            w = static_cast<std::int32_t>(random.between(-most - 1, most));
+            w = static_cast<std::int32_t>(random.between(-max - 1, max));
             if (random.bits() % 8 == 0)
-                w = static_cast<std::int32_t>(pick(random, {-most - 1, most, std::int64_t{0}}));
+                w = static_cast<std::int32_t>(pick(random, {-max - 1, max, std::int64_t{0}}));
         }
     }
     if (affine) m.word[3] = {};
@@ -98,7 +99,7 @@ inline Settings random_settings(Random& random, bool rows) {
     s.dither.size_q8 = pick(random, {0, 1, 64, 255, 256, 257, 700, 1024});
     s.dither.seed = static_cast<std::uint32_t>(random.between(1, 0x7fffffff));
     if (!rows && random.bits() % 4 == 0) {
-        m.accumulator_most = between(16, 48);
+        m.max_accumulator_bits = between(16, 48);
         m.product_rounding = random.rounding();
     }
     return s;

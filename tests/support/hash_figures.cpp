@@ -2,8 +2,8 @@
 // paths: leaf sampling, the correct form, perspective, a point light, 24-bit Z. The core alone, so
 // that tests/guards/compilers.sh can build it by any compiler in a few seconds.
 #include "fixed/fnv.hpp"
-#include "shadow/frame.hpp"
-#include "shadow/paper_figures.hpp"
+#include "shadow/frame/frame.hpp"
+#include "shadow/frame/paper_figures.hpp"
 
 #include <array>
 #include <cstdio>
@@ -83,11 +83,11 @@ void print_other_paths(int filler) {
     const std::array materials{shadow::figure_material};
     raster::View observer, light;
     observer.projection = light.projection = raster::Projection::perspective;
-    observer.frame = raster::frame_from_angles(30 << 16, 20 << 16);
+    observer.axes = raster::axes_from_angles(30 << 16, 20 << 16);
     observer.extent = light.extent = 5 << 15;
     observer.distance = 6 << 16;
     light.distance = 440000;
-    raster::frame_from_points({-5 << 16, 4 << 16, 2 << 16}, {}, light.frame);
+    raster::axes_from_points({-5 << 16, 4 << 16, 2 << 16}, {}, light.axes);
     raster::fit_depth(observer, raster::depth_range(observer, patches));
     raster::fit_depth(light, raster::depth_range(light, patches));
     shadow::Settings settings = shadow::figure_settings(6);

@@ -3,12 +3,12 @@
 // Google Benchmark interleaves the repetitions at random, so that a noisy machine slows all rows
 // alike; what counts is the last column, a stage's median over the affine float baseline's.
 
-#include "shadow/ap120b_post_process.hpp"
+#include "shadow/ap120b/post_process.hpp"
+#include "shadow/clocked/memory_replay.hpp"
 #include "shadow/correct_form.hpp"
-#include "shadow/frame.hpp"
-#include "shadow/ledger.hpp"
-#include "shadow/memory_replay.hpp"
-#include "shadow/paper_figures.hpp"
+#include "shadow/frame/frame.hpp"
+#include "shadow/frame/ledger.hpp"
+#include "shadow/frame/paper_figures.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
 
 #include <benchmark/benchmark.h>
@@ -43,7 +43,7 @@ struct Bench {
     shadow::FrameBuffers<Depth16> frame;
     shadow::FrameMatrices matrices;
     shadow::FrameCounts counts;
-    shadow::Plan plan;
+    shadow::FramePlan plan;
     tools::FloatMatrix floats{};
 
     explicit Bench(const shadow::Settings& settings)
@@ -105,7 +105,7 @@ void add(const std::string& name, int figure, Stage&& stage) {
 }
 
 shadow::PostProcessLedger pass_ledger(const Bench& b, const shadow::Settings& s) {
-    const shadow::PostProcessPlan plan(s, b.matrices.observer_to_light);
+    const shadow::PostProcessPipeline plan(s, b.matrices.observer_to_light);
     return shadow::closed_form(
         shadow::schedule<Depth16>(b.frame.observer.depth, s.machine.background(),
                                   plan.read_cycles, plan.slot_cycles),

@@ -1,5 +1,5 @@
 // The row of a case, from its name to its figures.
-#include "tools/settings_text.hpp"
+#include "tools/scene/settings_text.hpp"
 #include "tools/study/row_text.hpp"
 #include "tools/study/runner.hpp"
 

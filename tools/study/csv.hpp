@@ -1,7 +1,7 @@
 // A study's CSV (RFC 4180, but lines end in a newline alone): a head, then one row a case.
 #pragma once
 
-#include "tools/files.hpp"
+#include "tools/io/files.hpp"
 #include "tools/study/study.hpp"
 
 namespace umbra78::tools::study {

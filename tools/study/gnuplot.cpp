@@ -1,6 +1,6 @@
 #include "tools/study/gnuplot.hpp"
 
-#include "tools/files.hpp"
+#include "tools/io/files.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,34 +49,34 @@ std::string ticks(char axis, const std::vector<std::string>& names) {
 }
 
 // Powers of ten are enough over two decades; below, what lies between is labelled, too.
-std::string log_ticks(char axis, double least, double greatest) {
-    if (greatest >= 100 * least) return "";
-    const std::vector<double> between = greatest < 8 * least
+std::string log_ticks(char axis, double min, double max) {
+    if (max >= 100 * min) return "";
+    const std::vector<double> between = max < 8 * min
         ? std::vector<double>{1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9}
         : std::vector<double>{1, 2, 5};
     std::vector<std::string> places;
-    for (double ten = std::pow(10, std::floor(std::log10(least))); ten <= greatest; ten *= 10)
+    for (double ten = std::pow(10, std::floor(std::log10(min))); ten <= max; ten *= 10)
         for (const double factor : between)
-            if (factor * ten >= least && factor * ten <= greatest)
+            if (factor * ten >= min && factor * ten <= max)
                 places.push_back(fmt::format("{:.6g}", factor * ten));
     return fmt::format("set {}tics ({})\n", axis, fmt::join(places, ", "));
 }
 
 // gnuplot's own range on a logarithmic axis goes to the next power of ten.
 std::string log_range(char axis, const std::vector<Series>& series) {
-    double least = 0, greatest = 0;
+    double min = 0, max = 0;
     for (const Series& s : series)
         for (const auto& [x, y] : s.points) {
             const double value = axis == 'x' ? x : y;
             if (!(value > 0) || !std::isfinite(value)) continue;
-            least = least > 0 ? std::min(least, value) : value;
-            greatest = std::max(greatest, value);
+            min = min > 0 ? std::min(min, value) : value;
+            max = std::max(max, value);
         }
-    if (!(least > 0)) return "";
-    const double room = std::max(std::pow(greatest / least, 0.06), 1.02);
+    if (!(min > 0)) return "";
+    const double room = std::max(std::pow(max / min, 0.06), 1.02);
     return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\nset format {0} '%g'\n{3}", axis,
-                       least / room, greatest * room,
-                       log_ticks(axis, least / room, greatest * room));
+                       min / room, max * room,
+                       log_ticks(axis, min / room, max * room));
 }
 
 constexpr std::array colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#333333", "#d55e00",

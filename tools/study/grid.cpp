@@ -10,10 +10,10 @@
 
 namespace umbra78::tools::study {
 
-std::vector<Case> grid(const Request& request, std::vector<Axis> axes) {
-    for (const Axis& varied : request.vary) {
+std::vector<Case> grid(const Request& request, std::vector<GridKey> axes) {
+    for (const GridKey& varied : request.vary) {
         const auto found = std::find_if(axes.begin(), axes.end(),
-                                        [&](const Axis& a) { return a.first == varied.first; });
+                                        [&](const GridKey& a) { return a.first == varied.first; });
         if (found != axes.end()) {
             found->second = varied.second;
         } else {
@@ -39,7 +39,7 @@ Request for_sweep(Request request, std::span<const std::string_view> own,
     const auto holds = [](std::span<const std::string_view> list, std::string_view key) {
         return std::find(list.begin(), list.end(), key) != list.end();
     };
-    std::erase_if(request.vary, [&](const Axis& axis) {
+    std::erase_if(request.vary, [&](const GridKey& axis) {
         return axis.second.size() > 1 && holds(own, axis.first) && !holds(keys, axis.first);
     });
     return request;

@@ -1,6 +1,6 @@
 #include "tools/study/inputs.hpp"
 
-#include "tools/json_text.hpp"
+#include "tools/io/json_text.hpp"
 #include "tools/study/paper_scene.hpp"
 #include "tools/study/vary.hpp"
 
@@ -68,11 +68,11 @@ Asked ask(const Study& study, Request request) {
     return asked;
 }
 
-Asked ask_again(const ordered_json& inputs, const std::string& path) {
+Asked ask_again(const ordered_json& inputs, const std::string& path, Studies known) {
     Request request;
     const Study* study = nullptr;
     try {
-        study = &study_of(inputs.at("study"), path);
+        study = &study_of(inputs.at("study"), path, known);
         request.scene_file = inputs.at("scene_file");
         request.scene_text = inputs.at("scene");
         for (const ordered_json& vary : inputs.at("vary"))
@@ -88,8 +88,8 @@ Asked ask_again(const ordered_json& inputs, const std::string& path) {
     return ask(*study, std::move(request));
 }
 
-const Study& study_of(const std::string& name, const std::string& path) {
-    for (const auto& study : studies())
+const Study& study_of(const std::string& name, const std::string& path, Studies known) {
+    for (const auto& study : known)
         if (study->name() == name) return *study;
     throw std::runtime_error(fmt::format(
         "{}: this umbra78 has no study '{}'; umbra78 study lists those it has", path, name));

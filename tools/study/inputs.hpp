@@ -24,9 +24,9 @@ Asked ask(const Study&, Request);
 
 // From the inputs that a file holds; `path` is for the error. Throws std::runtime_error. Where
 // another version made the file, its hash is another one.
-Asked ask_again(const nlohmann::ordered_json& inputs, const std::string& path);
+Asked ask_again(const nlohmann::ordered_json& inputs, const std::string& path, Studies);
 
 // The study of that name; throws where there is none.
-const Study& study_of(const std::string& name, const std::string& path);
+const Study& study_of(const std::string& name, const std::string& path, Studies);
 
 }  // namespace umbra78::tools::study

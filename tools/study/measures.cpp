@@ -44,8 +44,8 @@ DepthError depth_error(const LoadedScene& scene, const Truth& truth, const Buffe
         const std::uint32_t code = observer_z.at(at);
         if (code == observer_z.maxval || !inside(truth, at)) continue;
         const double off = code - exact_code(scene, truth.depth[at]);
-        error.least = error.pixels ? std::min(error.least, off) : off;
-        error.greatest = error.pixels ? std::max(error.greatest, off) : off;
+        error.min = error.pixels ? std::min(error.min, off) : off;
+        error.max = error.pixels ? std::max(error.max, off) : off;
         sum += off;
         squares += off * off;
         ++error.pixels;
@@ -64,12 +64,12 @@ double detachment_gap(const Traced& traced, const MachineMask& mask) {
         if (truth.visible[at] && !truth.lit[at] && mask.drawn(at) && !traced.truth.unlit_side[at])
             shadowed.emplace_back(truth.behind[at], !mask.in_shadow(at));
     std::sort(shadowed.begin(), shadowed.end());
-    std::int64_t more_lit = 0, most = 0;
+    std::int64_t more_lit = 0, max = 0;
     double gap = 0;
     for (const auto& [distance, lit] : shadowed) {
         more_lit += lit ? 1 : -1;
-        if (more_lit <= most) continue;
-        most = more_lit;
+        if (more_lit <= max) continue;
+        max = more_lit;
         gap = distance;
     }
     return gap;

@@ -1,8 +1,8 @@
 // What studies measure of a drawn frame, and the units they give it in.
 #pragma once
 
-#include "tools/buffers.hpp"
-#include "tools/render_job.hpp"
+#include "tools/io/buffers.hpp"
+#include "tools/render/render_job.hpp"
 #include "tools/study/study.hpp"
 #include "tools/study/truth_cache.hpp"
 
@@ -17,7 +17,7 @@ void draw_mask(RenderJob&);
 // neighbours in truth: at a silhouette another surface may be meant.
 struct DepthError {
     std::int64_t pixels = 0;
-    double least = 0, mean = 0, greatest = 0, rms = 0;
+    double min = 0, mean = 0, max = 0, rms = 0;
 };
 DepthError depth_error(const LoadedScene&, const Truth&, const Buffer& observer_z);
 

@@ -1,7 +1,7 @@
 // The report of a study: its plots and pictures as files, and one page that holds them all.
 #pragma once
 
-#include "tools/files.hpp"
+#include "tools/io/files.hpp"
 #include "tools/study/study.hpp"
 
 #include <nlohmann/json.hpp>

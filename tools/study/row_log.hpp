@@ -7,7 +7,7 @@
 // torn last line is left out when the file is read. Partial runs and shards are such files.
 #pragma once
 
-#include "tools/files.hpp"
+#include "tools/io/files.hpp"
 #include "tools/study/inputs.hpp"
 
 #include <map>

@@ -1,6 +1,6 @@
 #include "tools/study/runner.hpp"
 
-#include "tools/interruptible.hpp"
+#include "tools/io/interruptible.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -8,7 +8,7 @@
 // computer, but for host times, whose columns end in "_host_ms" and can be left out.
 #pragma once
 
-#include "tools/scene_file.hpp"
+#include "tools/scene/scene_file.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -95,19 +95,13 @@ public:
     virtual void report(const Request&, std::span<const Row>, Report&) const = 0;
 };
 
-// All studies, in the order of the documentation. Each is made by its own file.
-std::span<const std::unique_ptr<Study>> studies();
-std::unique_ptr<Study> make_error_time_study();
-std::unique_ptr<Study> make_bias_study();
-std::unique_ptr<Study> make_widths_study();
-std::unique_ptr<Study> make_moire_study();
-std::unique_ptr<Study> make_precision_study();
-std::unique_ptr<Study> make_stability_study();
+// The studies a program has (tools/cli/study_list.hpp), handed to who must find one by its name.
+using Studies = std::span<const std::unique_ptr<Study>>;
 
 // The grid of all combinations, the first key slowest; --vary's values in place of the defaults,
 // and its other keys after them, crossed with all.
-using Axis = std::pair<std::string, std::vector<std::string>>;
-std::vector<Case> grid(const Request&, std::vector<Axis> defaults);
+using GridKey = std::pair<std::string, std::vector<std::string>>;
+std::vector<Case> grid(const Request&, std::vector<GridKey> defaults);
 // The cases of the first grid, then those of `more` that are not among them.
 std::vector<Case> joined(std::vector<Case> first, const std::vector<Case>& more);
 

@@ -1,6 +1,6 @@
 #include "tools/study/study_files.hpp"
 
-#include "tools/report.hpp"
+#include "tools/render/report.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/report_page.hpp"
 #include "tools/study/row_text.hpp"
@@ -139,7 +139,7 @@ StudyDone run_study(const Asked& asked, const RunOptions& options, const Path& f
     return done;
 }
 
-StudyDone merge_parts(std::span<const std::string> parts, const Path& folder) {
+StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, Studies known) {
     std::optional<RowLog> all;
     std::map<int, std::string> seen;  // by the shard's number
     for (const std::string& path : parts) {
@@ -164,7 +164,7 @@ StudyDone merge_parts(std::span<const std::string> parts, const Path& folder) {
         if (!seen.contains(i))
             throw std::runtime_error(fmt::format("part {} of {} is missing; run it with --shard "
                                                  "{}/{}", i, all->shard.n, i, all->shard.n));
-    const Asked asked = ask_again(all->inputs, seen.begin()->second);
+    const Asked asked = ask_again(all->inputs, seen.begin()->second, known);
     if (asked.hash != all->hash)
         throw std::runtime_error(fmt::format("{}: another version of umbra78 wrote it; run the "
                                              "study again with this one", seen.begin()->second));

@@ -22,6 +22,6 @@ StudyDone run_study(const Asked&, const RunOptions&, const Path& folder, bool as
 
 // The parts of a sharded run, which become the files of a whole one. Throws std::runtime_error if
 // one is missing, twice there, unfinished, or of other inputs.
-StudyDone merge_parts(std::span<const std::string> parts, const Path& folder);
+StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, Studies);
 
 }  // namespace umbra78::tools::study

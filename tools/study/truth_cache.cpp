@@ -1,6 +1,6 @@
 #include "tools/study/truth_cache.hpp"
 
-#include "tools/scene_error.hpp"
+#include "tools/scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::string key_of(const raster::World& w) { return fmt::format("{},{},{};", w.x
 std::string key_of(const raster::View& v) {
     std::string key = fmt::format("view {} {} {} {} {};", static_cast<int>(v.projection), v.extent,
                                   v.distance, v.near_depth, v.far_depth) + key_of(v.target);
-    for (const raster::Axis& axis : {v.frame.right, v.frame.up, v.frame.back})
+    for (const raster::Axis& axis : {v.axes.right, v.axes.up, v.axes.back})
         key += fmt::format("{},{},{};", axis[0], axis[1], axis[2]);
     return key;
 }

@@ -1,7 +1,7 @@
 // The truth of a scene with what studies measure by, traced once for all cases that share it.
 #pragma once
 
-#include "tools/scene_truth.hpp"
+#include "tools/truth/scene_truth.hpp"
 
 #include <map>
 #include <memory>

@@ -10,8 +10,8 @@
 namespace umbra78::tools::study {
 namespace {
 
-constexpr int most_decimals = 12;
-constexpr std::int64_t most_values = 100'000;
+constexpr int max_decimals = 12;
+constexpr std::int64_t max_values = 100'000;
 
 [[noreturn]] void fail(const std::string& text, std::string_view wrong) {
     throw SceneError(fmt::format("--vary {}: {}; write key=first:last:step as in bias=0:256:32, "
@@ -34,7 +34,7 @@ std::optional<Decimal> read_decimal(std::string_view text) {
             continue;
         }
         if (letter < '0' || letter > '9') return {};
-        if (read.digits > 1'000'000'000'000 || read.decimals == most_decimals) return {};
+        if (read.digits > 1'000'000'000'000 || read.decimals == max_decimals) return {};
         read.digits = read.digits * 10 + (letter - '0');
         read.decimals += behind_point;
         any = true;
@@ -94,7 +94,7 @@ std::vector<std::string> range(const std::string& text, const std::vector<std::s
                                                        *last != *first))
         fail(text, "the step does not lead from the first value to the last");
     const std::int64_t steps = (*last - *first) / *step;
-    if (steps >= most_values) fail(text, fmt::format("{} values are too many", steps + 1));
+    if (steps >= max_values) fail(text, fmt::format("{} values are too many", steps + 1));
     std::vector<std::string> values;
     for (std::int64_t k = 0; k <= steps; ++k) values.push_back(print(*first + k * *step, decimals));
     return values;
@@ -102,12 +102,12 @@ std::vector<std::string> range(const std::string& text, const std::vector<std::s
 
 }  // namespace
 
-Axis parse_vary(const std::string& text) {
+GridKey parse_vary(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) fail(text, "there is no key");
     const std::string key = text.substr(0, equals), rest = text.substr(equals + 1);
     if (const auto ends = cut(rest, ':'); ends.size() > 1) return {key, range(text, ends)};
-    Axis axis{key, cut(rest, ',')};
+    GridKey axis{key, cut(rest, ',')};
     auto& values = axis.second;
     for (std::size_t k = 0; k < values.size(); ++k) {
         if (values[k].empty()) fail(text, "a value is missing");

@@ -1,6 +1,6 @@
 #include "tools/study/verify.hpp"
 
-#include "tools/json_text.hpp"
+#include "tools/io/json_text.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/row_text.hpp"
 #include "tools/study/runner.hpp"
@@ -67,11 +67,11 @@ std::string cell(const Row& row, const std::string& column) {
 
 }  // namespace
 
-Verified verify(const Path& path, std::size_t sample) {
+Verified verify(const Path& path, std::size_t sample, Studies known) {
     const Csv csv = read_csv(path);
     const Path beside = Path(path).replace_extension(".json");
     const ordered_json summary = read_summary(beside);
-    const Asked asked = ask_again(summary["inputs"], beside.string());
+    const Asked asked = ask_again(summary["inputs"], beside.string(), known);
 
     std::vector<std::size_t> rows(csv.rows.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});

@@ -2,7 +2,8 @@
 // times.
 #pragma once
 
-#include "tools/files.hpp"
+#include "tools/io/files.hpp"
+#include "tools/study/study.hpp"
 
 #include <string>
 #include <vector>
@@ -16,6 +17,6 @@ struct Verified {
 
 // `sample` rows by a fixed seed, or all of them if there are no more. NAME.json must lie beside
 // the CSV: the scene is in it. Throws std::runtime_error.
-Verified verify(const Path& csv, std::size_t sample);
+Verified verify(const Path& csv, std::size_t sample, Studies);
 
 }  // namespace umbra78::tools::study

@@ -1,0 +1,161 @@
+// Centre sampling of blocks whose leaves hold one pixel's centre or none, as those that the block
+// rule draws do: what sample_centres gives, in the same order.
+//
+//   find    the leaves whose box, grown by the slack, holds a centre: 16 at once, a row, in 16-bit
+//           lanes that the compiler makes vectors of
+//   weigh   both triangles of such a leaf, by offsets from its corner 00: p, q, r to the corners
+//           10, 11, 01 and d to the pixel. A pixel inside gets its depth from these weights, one
+//           outside the grown edges none; one in the slack is left to triangle_depth.
+//
+// A block with a leaf that holds several centres, or with a corner 2^14 pixels from the frame's
+// centre, is left to sample_centres. Tests hold the two equal, sample by sample.
+#pragma once
+
+#include "raster/sampling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace umbra78::raster {
+namespace detail {
+
+template <std::size_t Size>
+using PixelWords = std::array<std::int16_t, Size>;
+
+// The pixels of the leaves in `lone` (bit u), by rows.
+struct LoneCentres {
+    std::array<PixelWords<leaves>, leaves> px, py;
+    std::array<std::uint16_t, leaves> lone;
+};
+
+// Of one axis: the first pixel whose centre a corner's slack may reach, and the last. Pixels grow
+// with places, so a leaf's window is from the least to the greatest of its corners'.
+struct CornerWindows {
+    std::array<PixelWords<corners>, corners> first, last;
+};
+
+// False if a corner is too far out for 16 bits.
+inline bool corner_windows(const CornerGrid<std::int32_t>& c, std::int32_t half_px,
+                           CornerWindows& w) {
+    constexpr std::int32_t reach = 1 << (14 + raster_fraction);
+    std::int32_t far = 0;
+    for (std::size_t v = 0; v < corners; ++v) {
+        const auto corner = [&](std::size_t u) {
+            far |= (c[v][u] + reach) & ~(2 * reach - 1);
+            w.first[v][u] = static_cast<std::int16_t>(first_pixel(c[v][u] - slack, half_px));
+            w.last[v][u] = static_cast<std::int16_t>(last_pixel(c[v][u] + slack, half_px));
+        };
+        for (std::size_t u = 0; u < leaves; ++u) corner(u);  // whole vectors, and one more
+        corner(leaves);
+    }
+    return far == 0;
+}
+
+// std::min and std::max by value: g++ 12 makes no vectors of a choice between references.
+constexpr std::int16_t lesser(std::int16_t a, std::int16_t b) { return b < a ? b : a; }
+constexpr std::int16_t greater(std::int16_t a, std::int16_t b) { return a < b ? b : a; }
+
+// Bit k in lane k: where a condition holds in some lanes, their bits or'ed tell in which.
+inline constexpr std::array<std::uint16_t, leaves> lane_bit{
+    1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+    1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+constexpr std::uint16_t bit_if(bool holds, std::size_t lane) {
+    return static_cast<std::uint16_t>((holds ? 0xffff : 0) & lane_bit[lane]);
+}
+
+// False if the block is sample_centres' to sample.
+inline bool find_lone_centres(const Corners& g, std::int32_t half_px,
+                              LoneCentres& __restrict found) {
+    CornerWindows x, y;
+    if (!corner_windows(g[0], half_px, x) || !corner_windows(g[1], half_px, y)) return false;
+    const auto size_px = static_cast<std::uint16_t>(2 * half_px);
+    std::uint16_t several = 0;
+    for (std::size_t v = 0; v < leaves; ++v) {
+        const auto min = [v](const auto& c, std::size_t u) {
+            return lesser(lesser(c[v][u], c[v][u + 1]), lesser(c[v + 1][u], c[v + 1][u + 1]));
+        };
+        const auto max = [v](const auto& c, std::size_t u) {
+            return greater(greater(c[v][u], c[v][u + 1]), greater(c[v + 1][u], c[v + 1][u + 1]));
+        };
+        std::uint16_t lone = 0;
+        for (std::size_t u = 0; u < leaves; ++u) {  // & and |: no branches in lanes
+            const std::int16_t x0 = min(x.first, u), x1 = max(x.last, u);
+            const std::int16_t y0 = min(y.first, u), y1 = max(y.last, u);
+            const bool one = (x0 == x1) & (y0 == y1) &  // and in the frame
+                             (static_cast<std::uint16_t>(x0) < size_px) &
+                             (static_cast<std::uint16_t>(y0) < size_px);
+            const bool more = (x0 <= x1) & (y0 <= y1) & ((x0 < x1) | (y0 < y1));
+            found.px[v][u] = x0;
+            found.py[v][u] = y0;
+            lone = static_cast<std::uint16_t>(lone | bit_if(one, u));
+            several = static_cast<std::uint16_t>(several | bit_if(more, u));
+        }
+        found.lone[v] = lone;
+    }
+    return several == 0;
+}
+
+// A leaf with a lone centre is less than two pixels wide: an offset fits 15 bits, a product 28.
+struct Offset {
+    std::int32_t x, y;
+};
+constexpr std::int32_t cross(Offset a, Offset b) { return a.x * b.y - a.y * b.x; }
+constexpr std::int32_t grown(Offset edge) {
+    return slack * ((edge.x < 0 ? -edge.x : edge.x) + (edge.y < 0 ? -edge.y : edge.y));
+}
+
+// triangle_depth of (a, b, c) at d, from the offsets of b, c and d to a.
+inline bool lone_depth(const Corner& a, const Corner& b, const Corner& c, Offset to_b, Offset to_c,
+                       Offset to_d, std::int64_t& z) {
+    const std::int32_t turned = cross(to_b, to_c);
+    const std::int32_t sign = turned >> 31;  // (v ^ sign) - sign is v or -v
+    const std::int32_t area = (turned ^ sign) - sign;
+    const std::int32_t wb = (cross(to_d, to_c) ^ sign) - sign;
+    const std::int32_t wc = (cross(to_b, to_d) ^ sign) - sign;
+    const std::int32_t wa = area - wb - wc;
+    const Offset b_to_c{to_c.x - to_b.x, to_c.y - to_b.y};
+    if (((wa + grown(b_to_c)) | (wb + grown(to_c)) | (wc + grown(to_b))) < 0) return false;
+    if ((wa | wb | wc) < 0 || area == 0)
+        return triangle_depth(a, b, c, a.x + to_d.x, a.y + to_d.y, z);
+    const std::int64_t rise = std::int64_t{wb} * (std::int64_t{b.z} - a.z) +
+                              std::int64_t{wc} * (std::int64_t{c.z} - a.z);
+    z = a.z + fixed::round_divide(rise, static_cast<std::uint32_t>(area),
+                                  fixed::Rounding::half_up);
+    return true;  // no clamp: a mean of the corners' depths is within their range
+}
+
+}  // namespace detail
+
+// Returns how many centres were tested.
+template <class Emit>
+std::uint64_t sample_lone_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
+    const std::int32_t half = spec.half_px();
+    detail::LoneCentres found;
+    if (!detail::find_lone_centres(g, half, found)) return sample_centres(g, spec, emit);
+    std::uint64_t tested = 0;
+    for (std::size_t v = 0; v < leaves; ++v) {
+        for (unsigned lone = found.lone[v]; lone != 0; lone &= lone - 1) {
+            const auto u = static_cast<std::size_t>(std::countr_zero(lone));
+            const int i = static_cast<int>(u), j = static_cast<int>(v);
+            const int px = found.px[v][u], py = found.py[v][u];
+            const std::int32_t x = pixel_centre(px, half), y = pixel_centre(py, half);
+            const Corner c00 = corner_at(g, i, j), c10 = corner_at(g, i + 1, j);
+            const Corner c01 = corner_at(g, i, j + 1), c11 = corner_at(g, i + 1, j + 1);
+            const auto from_00 = [&](std::int32_t to_x, std::int32_t to_y) {
+                return detail::Offset{to_x - c00.x, to_y - c00.y};
+            };
+            const detail::Offset p = from_00(c10.x, c10.y), q = from_00(c11.x, c11.y);
+            const detail::Offset r = from_00(c01.x, c01.y), d = from_00(x, y);
+            std::int64_t z = 0;
+            if (detail::lone_depth(c00, c10, c11, p, q, d, z)) emit(Sample{px, py, x, y, z, i, j});
+            if (detail::lone_depth(c00, c11, c01, q, r, d, z)) emit(Sample{px, py, x, y, z, i, j});
+            ++tested;
+        }
+    }
+    return tested;
+}
+
+}  // namespace umbra78::raster

@@ -1,0 +1,137 @@
+#include "shadow/ap120b/post_process.hpp"
+
+namespace umbra78::shadow {
+namespace {
+
+using fixed::Float38;
+using hw::Rational;
+using hw::ap120b::Matrix;
+using hw::ap120b::Vector;
+
+constexpr Float38 whole(std::int64_t v) { return Float38::from_scaled(v, 0); }
+
+// 2^n, exactly.
+Rational power_of_two(int n) {
+    const Rational p(std::int64_t{1} << (n < 0 ? -n : n));
+    return n < 0 ? Rational(1) / p : p;
+}
+
+int texel_of(const Float38& v) { return v.fix(16, fixed::Rounding::to_zero); }
+
+// Interpolates from a to b.
+Float38 between(const Float38& a, const Float38& b, const Float38& fraction) {
+    return a + fraction * (b - a);
+}
+
+template <class Depth>
+bool nearest(const LightMap<Depth>& map, const Float38& x, const Float38& y, const Float38& k) {
+    return k > whole(map.texel(texel_of(x), texel_of(y)));
+}
+
+// Half a texel to the right and below, a texel's number is that of the cell's lower right corner:
+// so nothing is negative, and toward zero is the floor.
+template <class Depth>
+bool bilinear(const LightMap<Depth>& map, const Float38& x, const Float38& y, const Float38& k) {
+    constexpr Float38 half = Float38::from_scaled(1, -1);
+    const Float38 cx = x + half, cy = y + half;
+    const int tx = texel_of(cx), ty = texel_of(cy);
+    const Float38 fx = cx - whole(tx), fy = cy - whole(ty);
+    const std::uint32_t z00 = map.texel(tx - 1, ty - 1), z10 = map.texel(tx, ty - 1);
+    const std::uint32_t z01 = map.texel(tx - 1, ty), z11 = map.texel(tx, ty);
+    const std::uint32_t none = map.spec.background();
+    if (map.background == Background::fall_back &&
+        (z00 == none || z10 == none || z01 == none || z11 == none))
+        return nearest(map, x, y, k);
+    const Float38 upper = between(whole(z00), whole(z10), fx);
+    const Float38 lower = between(whole(z01), whole(z11), fx);
+    return k > between(upper, lower, fy);
+}
+
+}  // namespace
+
+Matrix array_matrix(const hw::RationalMatrix& exact, const ShadowTest& settings) {
+    const hw::MachineSpec& spec = settings.machine;
+    const bool affine =
+        exact[3][0].is_zero() && exact[3][1].is_zero() && exact[3][2].is_zero();
+    const Rational half(spec.half_px());
+    const Rational centre = settings.registration == Registration::centre ? Rational(1, 2) : 0;
+    const Rational quanta = power_of_two(spec.depth_fraction());  // a pixel has so many
+    // Columns: from (px, py, code - 2^(b-1), 1) to pixels from the cube's centre.
+    hw::RationalMatrix m = exact;
+    for (auto& row : m) {
+        if (affine)
+            for (Rational& c : row) c = c / exact[3][3];
+        row[3] += (row[0] + row[1]) * (centre - half);
+        row[2] = row[2] / quanta;
+    }
+    // Rows: to texels from the map's corner and to codes.
+    Matrix words{};
+    for (std::size_t j = 0; j < 4; ++j) {
+        const Rational w = m[3][j];
+        words[0][j] = Float38::from_rational(m[0][j] + half * w);
+        words[1][j] = Float38::from_rational(m[1][j] + half * w);
+        words[2][j] = Float38::from_rational(m[2][j] * quanta + Rational(spec.depth_offset()) * w);
+        words[3][j] = Float38::from_rational(w);
+    }
+    return words;
+}
+
+template <class Depth>
+bool array_in_shadow(const LightMap<Depth>& map, Vector p, bool affine,
+                     const hw::DitherWords& d) {
+    auto& [x, y, k, w] = p;
+    if (!affine) {
+        if (w <= Float38()) return false;
+        x = x / w;
+        y = y / w;
+        k = k / w;
+    }
+    x = x + Float38::from_scaled(d.x, -map.spec.fraction_bits);
+    y = y + Float38::from_scaled(d.y, -map.spec.fraction_bits);
+    const Float38 edge = whole(map.spec.size_px());
+    if (x < Float38() || x >= edge || y < Float38() || y >= edge) return false;
+    if (k < Float38() || k > whole(map.spec.deepest_drawn())) return false;
+    return map.lookup == Lookup::nearest ? nearest(map, x, y, k) : bilinear(map, x, y, k);
+}
+
+template <class Depth>
+PostProcessCounts array_post_process(const hw::FrameStore<Depth>& observer,
+                                     const hw::FrameStore<Depth>& light, const Matrix& matrix,
+                                     bool affine, const ShadowTest& settings,
+                                     std::span<std::uint8_t> mask) {
+    const hw::MachineSpec& spec = settings.machine;
+    const LightMap<Depth> map{light, spec, settings.lookup, settings.background};
+    const bool dithered = settings.dither.shape != hw::DitherShape::none;
+    hw::Dither dither = settings.dither;
+    if (!dithered) dither.shape = hw::DitherShape::uniform;
+    PostProcessCounts counts;
+    for (int y = 0; y < spec.size_px(); ++y) {
+        hw::NoiseSource noise(dither, spec, 0, y);
+        const std::uint64_t before = counts.visible;
+        for (int x = 0; x < spec.size_px(); ++x) {
+            const hw::DitherWords d = dithered ? noise.next() : hw::DitherWords{0, 0};
+            const std::size_t a = observer.address(x, y);
+            const std::uint32_t code = observer.depth[a];
+            mask[a] = mask_lit;
+            if (code == spec.background()) continue;
+            ++counts.visible;
+            const Vector p = hw::ap120b::times(matrix, array_words(x, y, code, spec));
+            if (!array_in_shadow(map, p, affine, d)) continue;
+            ++counts.shadowed;
+            mask[a] = mask_shadow;
+        }
+        counts.lines += counts.visible != before;
+    }
+    return counts;
+}
+
+#define UMBRA78_ARRAY(Depth)                                                                      \
+    template bool array_in_shadow(const LightMap<Depth>&, Vector, bool, const hw::DitherWords&);  \
+    template PostProcessCounts array_post_process(const hw::FrameStore<Depth>&,                   \
+                                                  const hw::FrameStore<Depth>&, const Matrix&,    \
+                                                  bool, const ShadowTest&, std::span<std::uint8_t>);
+UMBRA78_ARRAY(hw::Depth16)
+UMBRA78_ARRAY(hw::Depth32)
+#undef UMBRA78_ARRAY
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,179 @@
+// The members of ClockedPostProcess, for who instantiates it: clocked_post_process.cpp, and the
+// tests that plant a fault in the handshake.
+#pragma once
+
+#include "shadow/clocked/post_process.hpp"
+
+#include <algorithm>
+
+namespace umbra78::shadow {
+
+template <class Depth, class Rule>
+ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const hw::FrameStore<Depth>& observer,
+                                                    const hw::FrameStore<Depth>& light,
+                                                    const hw::MatrixWords& matrix,
+                                                    const TimedTest& settings,
+                                                    std::span<std::uint8_t> mask)
+    : plan_(settings, matrix), observer_(observer),
+      map_{light, settings.machine, settings.lookup, settings.background}, settings_(settings),
+      mask_(mask), noise_(settings.dither, settings.machine, settings.timing),
+      pixels_(observer.depth.size()), since_issue_(plan_.slot_cycles) {
+    std::fill(mask_.begin(), mask_.end(), mask_lit);
+    plan_.transform.add_stages(chain_);
+    name_steps(StageKind::transform, 0);
+    if (plan_.divides) {
+        const int from = chain_.stages();
+        plan_.divide.add_stages(chain_);
+        name_steps(StageKind::divide, from);
+    }
+    const int place = chain_.stages();
+    add_lookup_stages(chain_, plan_.lookup);
+    const bool blends = plan_.lookup.blends;
+    name_stage(place, StageKind::place);
+    name_stage(place + 1, StageKind::fetch);
+    if (blends) name_stage(place + 2, StageKind::interpolate);
+    name_stage(place + 2 + (blends ? 1 : 0), StageKind::compare);
+    name_stage(chain_.add("write"), StageKind::write);
+}
+
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::name_steps(StageKind kind, int from) {
+    int cycle = 0;
+    for (int k = from; k < chain_.stages(); ++k) {
+        kind_[static_cast<std::size_t>(k)] = kind;
+        first_cycle_[static_cast<std::size_t>(k)] = cycle;
+        cycle += chain_.stay(k);
+    }
+}
+
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::finish_transform(Flight& f) {
+    const auto& t = f.transform;
+    f.point = {t.result[0], t.result[1], t.result[2], hw::DivideStatus::ok};
+    if (!plan_.divides) return;
+    const bool rounded = settings_.machine.divide_order == hw::DivideOrder::round_first;
+    f.divider.load(rounded ? hw::Accumulators(t.result) : t.accumulator);
+}
+
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::finish_divide(Flight& f) {
+    const auto& row = f.divider.row;
+    f.point = {row[0].result.value, row[1].result.value, row[2].result.value,
+               hw::DivideStatus::ok};
+    for (const auto& r : row)
+        if (r.result.status != hw::DivideStatus::ok) f.point.status = r.result.status;
+}
+
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::work(int stage, int cycle, Flight& f) {
+    const int step = first_cycle_[static_cast<std::size_t>(stage)] + cycle;
+    switch (kind_[static_cast<std::size_t>(stage)]) {
+        case StageKind::transform:
+            f.transform.step(plan_.transform, step);
+            if (step == plan_.transform.latency() - 1) finish_transform(f);
+            break;
+        case StageKind::divide:
+            f.divider.step(plan_.divide, step);
+            if (step == plan_.divide.latency() - 1) finish_divide(f);
+            break;
+        case StageKind::place: f.lookup.place(plan_.lookup, f.point, f.dither); break;
+        case StageKind::fetch: f.lookup.fetch(plan_.lookup, map_, cycle); break;
+        case StageKind::interpolate: f.lookup.interpolate(plan_.lookup, cycle); break;
+        case StageKind::compare: f.lookup.compare(plan_.lookup); break;
+        case StageKind::write:
+            mask_[observer_.address(f.px, f.py)] = f.lookup.shadow ? mask_shadow : mask_lit;
+            counts_.shadowed += f.lookup.shadow;
+            break;
+    }
+}
+
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::tick(hw::StageMask held) {
+    chain_.tick(held, [this](int stage, int cycle, std::int8_t slot) {
+        work(stage, cycle, flight_[static_cast<std::size_t>(slot)]);
+    });
+    tick_reader(held);
+    ++cycles_;
+}
+
+// A cycle of the scan: read on until a visible pixel is found, and let it go when its slot has
+// come and the first stage is ready.
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::tick_reader(hw::StageMask held) {
+    if (pixel_ == pixels_ && !found_) return;
+    if ((held & reader_bit) != 0) {
+        ++reader_.held;
+        return;
+    }
+    if (since_issue_ < plan_.slot_cycles) ++since_issue_;
+    if (late_) {
+        ++reader_.blocked;
+        ++reader_blame_[static_cast<std::size_t>(culprit_)];
+    } else if (found_) {
+        ++reader_.slot;
+    } else {
+        ++reader_.read;
+        read_cycle();
+    }
+    late_ = found_ && since_issue_ >= plan_.slot_cycles && !let_go(held);
+}
+
+// False where stage 0 takes nothing in this cycle.
+template <class Depth, class Rule>
+bool ClockedPostProcess<Depth, Rule>::let_go(hw::StageMask held) {
+    const bool first_held = (held & 1) != 0;
+    if (chain_.ready(0) && !first_held) {
+        issue();
+        return true;
+    }
+    culprit_ = first_held ? 0 : chain_.culprit(0);
+    return false;
+}
+
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::read_cycle() {
+    if (plan_.dithers) noise_.step(read_step_);
+    if (++read_step_ < plan_.read_cycles) return;
+    read_step_ = 0;
+    found_code_ = observer_.depth[pixel_++];
+    found_ = found_code_ != settings_.machine.background();
+}
+
+template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::issue() {
+    Flight& f = flight_[static_cast<std::size_t>(next_slot_)];
+    const std::size_t address = pixel_ - 1;
+    f.px = static_cast<std::int32_t>(address & ((std::size_t{1} << observer_.xy_bits) - 1));
+    f.py = static_cast<std::int32_t>(address >> observer_.xy_bits);
+    f.code = found_code_;
+    f.dither = plan_.dithers ? noise_.words() : hw::DitherWords{0, 0};
+    f.transform.load(plan_.transform, pixel_words(f.px, f.py, f.code, settings_));
+    chain_.enter(next_slot_);
+    last_slot_ = next_slot_;
+    next_slot_ = static_cast<std::int8_t>(next_slot_ == chain_.stages() ? 0 : next_slot_ + 1);
+    found_ = false;
+    since_issue_ = 0;
+    ++counts_.visible;
+    reader_at_issue_ = reader_;
+}
+
+template <class Depth, class Rule>
+Account ClockedPostProcess<Depth, Rule>::account() const {
+    const Schedule plain = schedule<Depth>(observer_.depth, settings_.machine.background(),
+                                           plan_.read_cycles, plan_.slot_cycles);
+    Account a;
+    a.closed_form = plain.cycles(plan_.latency);
+    if (plain.visible == 0) {
+        a.reader_held = reader_.held;
+        return a;
+    }
+    a.reader_held = reader_at_issue_.held;
+    a.reader_blocked = reader_at_issue_.blocked;
+    const auto latency = static_cast<std::uint64_t>(plan_.latency);
+    const std::uint64_t flight = latency + chain_.waited(last_slot_);
+    const std::uint64_t scan = plain.trailing + reader_.held - reader_at_issue_.held;
+    a.after_last = std::max(flight, scan) - std::max(latency, plain.trailing);
+    return a;
+}
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,192 @@
+#include "shadow/filters/dequantize.hpp"
+
+#include "fixed/rounding.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace umbra78::shadow {
+namespace {
+
+// Nodes are carried in 2^-12 pixel: two bits for each of six passes.
+constexpr int node_fraction = 2 * max_dequantize_passes;
+constexpr int sub_rows = 16;
+constexpr std::int32_t sub_row = (1 << node_fraction) / sub_rows;
+
+struct Node {
+    std::int32_t x, y;
+    bool pinned;
+};
+
+// A cascade of 1-2-1 averages: a node goes in, the node `passes` steps before it comes out.
+class Smoother {
+public:
+    explicit Smoother(int passes) : passes_(passes) {}
+
+    Node operator()(Node n) {
+        for (int p = 0; p < passes_; ++p) {
+            Stage& s = stage_[static_cast<std::size_t>(p)];
+            const Node a = s.older, b = s.newer;
+            s.older = b;
+            s.newer = n;
+            n = b.pinned ? b : Node{mean(a.x, b.x, n.x), mean(a.y, b.y, n.y), false};
+        }
+        return n;
+    }
+
+private:
+    struct Stage {
+        Node older{}, newer{};
+    };
+    // Exact: a pass-p node has 2 p fraction bits of the 12.
+    static std::int32_t mean(std::int32_t a, std::int32_t b, std::int32_t c) {
+        return (a + 2 * b + c) >> 2;
+    }
+    int passes_;
+    std::array<Stage, max_dequantize_passes> stage_{};
+};
+
+template <class Depth>
+class Tracer {
+public:
+    Tracer(std::span<const std::uint8_t> mask, const hw::FrameStore<Depth>& observer,
+           Depth background, int passes, EdgeMemory memory)
+        : mask_(mask), depth_(observer.depth), background_(background),
+          size_(observer.size_px()), passes_(passes), memory_(memory) {}
+
+    std::uint64_t trace_all() {
+        std::fill(memory_.visited.begin(), memory_.visited.end(), 0u);
+        std::fill(memory_.coverage.begin(), memory_.coverage.end(), std::int16_t{0});
+        std::uint64_t steps = 0;
+        for (int y = 0; y < size_; ++y)
+            for (int x = 0; x < size_; ++x)
+                if (shadow(x, y) && !shadow(x, y - 1) && !visited(x, y)) steps += trace(x, y);
+        return steps;
+    }
+
+private:
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) +
+               static_cast<std::size_t>(x);
+    }
+    bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < size_ && y < size_; }
+    bool shadow(int x, int y) const { return inside(x, y) && mask_[at(x, y)] >= 128; }
+    bool background(int x, int y) const { return !inside(x, y) || depth_[at(x, y)] == background_; }
+
+    // A chain is known by the upper edges it runs along, eastward.
+    bool visited(int x, int y) const {
+        return (memory_.visited[at(x, y) / 32] >> (at(x, y) % 32) & 1u) != 0;
+    }
+    void visit(int x, int y) { memory_.visited[at(x, y) / 32] |= 1u << (at(x, y) % 32); }
+
+    Node node(int x, int y) const {
+        const bool pinned = background(x - 1, y - 1) || background(x, y - 1) ||
+                            background(x - 1, y) || background(x, y);
+        return {x << node_fraction, y << node_fraction, pinned};
+    }
+
+    struct Step {
+        int x, y, direction;  // at corner (x, y), about to go 0 east, 1 south, 2 west, 3 north
+    };
+
+    // The pixels ahead on either hand of a step that starts at corner (x, y).
+    bool ahead(const Step& s, bool right) const {
+        constexpr std::array<std::array<int, 2>, 4> right_px{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
+        constexpr std::array<std::array<int, 2>, 4> left_px{{{0, -1}, {0, 0}, {-1, 0}, {-1, -1}}};
+        const auto& d = (right ? right_px : left_px)[static_cast<std::size_t>(s.direction)];
+        return shadow(s.x + d[0], s.y + d[1]);
+    }
+
+    Step advance(Step s) {
+        constexpr std::array<int, 4> dx{1, 0, -1, 0}, dy{0, 1, 0, -1};
+        if (s.direction == 0) visit(s.x, s.y);
+        s.x += dx[static_cast<std::size_t>(s.direction)];
+        s.y += dy[static_cast<std::size_t>(s.direction)];
+        if (!ahead(s, true)) {
+            s.direction = (s.direction + 1) & 3;  // round the pixel on the right
+        } else if (ahead(s, false)) {
+            s.direction = (s.direction + 3) & 3;
+        }
+        return s;
+    }
+
+    // Follows one chain once round, and `passes` nodes more at either end to fill the smoother.
+    std::uint64_t trace(int x, int y) {
+        const Step start{x, y, 0};
+        Smoother smooth(passes_);
+        Step s = start;
+        std::int64_t length = -1, fed = 0;
+        Node last{};
+        while (length < 0 || fed <= length + 2 * passes_) {
+            const Node n = smooth(node(s.x, s.y));
+            if (fed > 2 * passes_) add_edge(last, n);
+            last = n;
+            ++fed;
+            s = advance(s);
+            if (length < 0 && s.x == start.x && s.y == start.y && s.direction == start.direction)
+                length = fed;
+        }
+        return static_cast<std::uint64_t>(length);
+    }
+
+    // Coverage to the right of an edge, for the sub-rows whose middle it crosses.
+    void add_edge(const Node& a, const Node& b) {
+        if (a.y == b.y) return;
+        const bool up = b.y < a.y;  // northward: the shadow begins to the right
+        const Node& top = up ? b : a;
+        const Node& end = up ? a : b;
+        const std::int32_t first = (top.y + sub_row / 2 - 1) / sub_row;
+        const std::int32_t last = (end.y + sub_row / 2 - 1) / sub_row;
+        const auto sign = static_cast<std::int16_t>(up ? 1 : -1);
+        for (std::int32_t r = first; r < last; ++r) {
+            const std::int64_t along = r * sub_row + sub_row / 2 - top.y;
+            const std::int64_t x =
+                top.x + fixed::round_divide(along * (end.x - top.x), end.y - top.y,
+                                            fixed::Rounding::floor);
+            const std::int64_t step = (x + sub_row / 2) / sub_row;  // 1/16 pixel
+            const auto part = static_cast<std::int16_t>(step % sub_rows);
+            std::int16_t* cell = memory_.coverage.data() +
+                                 (r / sub_rows) * (size_ + 2) + step / sub_rows;
+            cell[0] = static_cast<std::int16_t>(cell[0] + sign * (sub_rows - part));
+            cell[1] = static_cast<std::int16_t>(cell[1] + sign * part);
+        }
+    }
+
+    std::span<const std::uint8_t> mask_;
+    std::span<const Depth> depth_;
+    Depth background_;
+    int size_, passes_;
+    EdgeMemory memory_;
+};
+
+}  // namespace
+
+template <class Depth>
+std::uint64_t dequantize(std::span<const std::uint8_t> mask,
+                         const hw::FrameStore<Depth>& observer, Depth background, int passes,
+                         EdgeMemory memory, std::span<std::uint8_t> out) {
+    const std::uint64_t steps =
+        Tracer<Depth>(mask, observer, background, passes, memory).trace_all();
+    const int size = observer.size_px();
+    for (int y = 0; y < size; ++y) {
+        const std::int16_t* row = memory.coverage.data() + y * (size + 2);
+        int area = 0;  // of 256
+        for (int x = 0; x < size; ++x) {
+            area += row[x];
+            const std::size_t a = observer.address(x, y);
+            const int covered = std::clamp(area, 0, 256);
+            const bool none = observer.depth[a] == background;
+            out[a] = none ? std::uint8_t{0} : static_cast<std::uint8_t>((covered * 255 + 128) >> 8);
+        }
+    }
+    return steps;
+}
+
+template std::uint64_t dequantize(std::span<const std::uint8_t>,
+                                  const hw::FrameStore<hw::Depth16>&, hw::Depth16, int, EdgeMemory,
+                                  std::span<std::uint8_t>);
+template std::uint64_t dequantize(std::span<const std::uint8_t>,
+                                  const hw::FrameStore<hw::Depth32>&, hw::Depth32, int, EdgeMemory,
+                                  std::span<std::uint8_t>);
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,94 @@
+#include "shadow/frame/profiles.hpp"
+
+#include "fixed/trap.hpp"
+
+#include <array>
+
+namespace umbra78::shadow {
+namespace {
+
+using enum Confidence;
+
+constexpr std::string_view chip =
+    "TRW MPY-16/TDC1010J class 16 x 16 multiplier(-accumulator), sold from 1976: 155 to 165 ns "
+    "from memory, not from a data sheet";
+constexpr std::string_view grade =
+    "the 200 ns grade (-3) of Mostek's MK4116 16K x 1 RAM, as later texts give it";
+constexpr std::string_view page_mode = "the same grade's page mode, from memory, not a data sheet";
+constexpr std::string_view ours = "this project's choice";
+
+constexpr std::array affine16{
+    ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
+    ProfileValue{"multipliers", 4, assumed, "a row a clock, as in Evans & Sutherland's units"},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+    ProfileValue{"dram_access_ns", 200, published, grade},
+    ProfileValue{"dram_cycle_ns", 375, published, grade},
+    ProfileValue{"dram_column_ns", 135, assumed, page_mode},
+    ProfileValue{"dram_page_ns", 225, assumed, page_mode},
+    ProfileValue{"dram_rows", 0, assumed, "a page of four scan lines; a counter refreshes"},
+    ProfileValue{"video", 1, assumed, "the observer's buffer is on a monitor, the light's is not"},
+};
+constexpr std::array affine16x1{
+    ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
+    ProfileValue{"multipliers", 1, assumed, "one multiplier-accumulator chip, a product a clock"},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+};
+constexpr std::array affine16x16{
+    ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
+    ProfileValue{"multipliers", 16, assumed, "the whole matrix: a point a clock"},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+    ProfileValue{"divider", 1, assumed, "three in stages keep up with a point a clock"},
+    ProfileValue{"light_banks", 4, assumed, "2 x 2 interleaved: bilinear lookup in a clock"},
+};
+constexpr std::array perspective24{
+    ProfileValue{"coefficient_bits", 24, assumed,
+                 "two passes of a 16 x 16 multiplier; 16 bits leave 2 px of error at far/near 100"},
+    ProfileValue{"multipliers", 4, assumed, ours},
+    ProfileValue{"clock_ns", 200, assumed, chip},
+    ProfileValue{"divider", 0, published,
+                 "a bit a clock, as in the clipping divider of Sproull & Sutherland 1968"},
+};
+
+constexpr std::string_view fps =
+    "Williams 1978 names it; Floating Point Systems, AP Math Library Manual 860-7288-004, 1979";
+constexpr std::string_view fps_clock =
+    "the same; the other units are taken at the same clock";
+constexpr std::array ap120b{
+    ProfileValue{"arithmetic", 1, published, fps},
+    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps_clock},
+    ProfileValue{"array_memory", 0, assumed, ours},
+};
+constexpr std::array ap120b_fast{
+    ProfileValue{"arithmetic", 1, published, fps},
+    ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps_clock},
+    ProfileValue{"array_memory", 1, published, fps},
+};
+
+constexpr std::array<Profile, 6> table{{
+    {"affine16", "16-bit coefficients, one row a clock: four multipliers", affine16},
+    {"affine16x1", "16-bit coefficients, one multiplier-accumulator", affine16x1},
+    {"affine16x16", "16-bit coefficients, sixteen multipliers", affine16x16},
+    {"perspective24", "24-bit coefficients in two passes, for perspective views", perspective24},
+    {"ap120b", "the shadow on an FPS AP-120B with standard memory", ap120b},
+    {"ap120b_fast", "the shadow on an FPS AP-120B with fast memory", ap120b_fast},
+}};
+
+}  // namespace
+
+std::span<const Profile> profiles() { return table; }
+
+const Profile* find_profile(std::string_view name) {
+    for (const Profile& p : table)
+        if (p.name == name) return &p;
+    return nullptr;
+}
+
+void apply(const Profile& profile, Settings& settings) {
+    for (const ProfileValue& v : profile.values) {
+        const Setting* setting = find_setting(v.key);
+        fixed::require(setting != nullptr, "profile: no such setting");
+        setting->set(settings, v.word);
+    }
+}
+
+}  // namespace umbra78::shadow

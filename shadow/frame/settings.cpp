@@ -1,0 +1,167 @@
+#include "shadow/frame/settings.hpp"
+
+#include <array>
+
+namespace umbra78::shadow {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 7> rounding_names{
+    "floor", "ceiling", "to_zero", "half_up", "half_to_zero", "half_away", "half_even"};
+constexpr std::array<std::string_view, 2> divide_names{"exact", "round_first"};
+constexpr std::array<std::string_view, 2> divider_names{"serial", "pipelined"};
+constexpr std::array<std::string_view, 2> dram_rows_names{"lines", "words"};
+constexpr std::array<std::string_view, 3> video_names{"off", "observer", "all"};
+constexpr std::array<std::string_view, 2> sampling_names{"leaf", "centre"};
+constexpr std::array<std::string_view, 2> registration_names{"centre", "index"};
+constexpr std::array<std::string_view, 2> lookup_names{"nearest", "bilinear"};
+constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"};
+constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
+constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
+                                                       "normal"};
+constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
+constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
+constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};
+
+template <auto Get, auto Set>
+constexpr Setting whole(std::string_view key, std::string_view unit, std::int64_t min,
+                        std::int64_t max, std::string_view meaning) {
+    return {key, SettingKind::whole, unit, min, max, 0, {}, meaning, Get, Set};
+}
+template <auto Get, auto Set>
+constexpr Setting decimal(std::string_view key, std::string_view unit, std::int64_t min,
+                          std::int64_t max, int fraction, std::string_view meaning) {
+    return {key, SettingKind::decimal, unit, min, max, fraction, {}, meaning, Get, Set};
+}
+template <auto Get, auto Set>
+constexpr Setting choice(std::string_view key, Names names, std::string_view meaning) {
+    const auto max = static_cast<std::int64_t>(names.size()) - 1;
+    return {key, SettingKind::choice, "", 0, max, 0, names, meaning, Get, Set};
+}
+
+// A setting's two accessors, from the member it stands for.
+#define UMBRA78_ACCESS(member)                                                            \
+    [](const Settings& s) { return static_cast<std::int64_t>(s.member); },                \
+        [](Settings& s, std::int64_t v) { s.member = static_cast<decltype(s.member)>(v); }
+
+constexpr std::array table{
+    whole<UMBRA78_ACCESS(machine.xy_bits)>(
+        "xy_bits", "bits", 4, 12, "X and Y of both frame stores: 2^bits pixels a side"),
+    whole<UMBRA78_ACCESS(machine.z_bits)>(
+        "z_bits", "bits", 4, 24, "Z of both frame stores; all ones is the background"),
+    whole<UMBRA78_ACCESS(machine.coefficient_bits)>(
+        "coefficient_bits", "bits", 8, 32, "a matrix word, Q1.(bits - 2) with an exponent a row"),
+    whole<UMBRA78_ACCESS(machine.fraction_bits)>(
+        "fraction_bits", "bits", 0, 12, "fraction of X and Y behind the transform"),
+    whole<UMBRA78_ACCESS(machine.multipliers)>(
+        "multipliers", "multipliers", 1, 16, "16 x 16 multipliers in the unit: 1, 4 or 16"),
+    whole<UMBRA78_ACCESS(machine.max_accumulator_bits)>(
+        "accumulator_bits", "bits", 16, 64,
+        "a row's accumulator, to what it needs; fewer cut the low bits of its products"),
+    choice<UMBRA78_ACCESS(machine.product_rounding)>(
+        "product_rounding", rounding_names, "of a product that the accumulator cuts"),
+    choice<UMBRA78_ACCESS(machine.transform_rounding)>(
+        "transform_rounding", rounding_names, "of a transformed coordinate, once per result"),
+    choice<UMBRA78_ACCESS(machine.coefficient_rounding)>(
+        "coefficient_rounding", rounding_names, "of a matrix word"),
+    choice<UMBRA78_ACCESS(machine.depth_rounding)>(
+        "depth_rounding", rounding_names, "of a drawn sample's Z to its code"),
+    choice<UMBRA78_ACCESS(machine.divide_order)>(
+        "divide_order", divide_names,
+        "perspective: round at the quotient, or x and w before it (to show what that costs)"),
+    choice<UMBRA78_ACCESS(sampling)>(
+        "sampling", sampling_names,
+        "a drawn sample: the leaf's centre as it falls, or the surface at the pixel's centre"),
+    choice<UMBRA78_ACCESS(registration)>(
+        "registration", registration_names,
+        "a pixel's coordinate in the post-process: its centre, or its index (half a pixel off)"),
+    choice<UMBRA78_ACCESS(lookup)>("lookup", lookup_names,
+                                   "light-map Z: of one texel, or interpolated between four"),
+    choice<UMBRA78_ACCESS(background)>(
+        "background", background_names,
+        "bilinear lookup beside the background: blend its Z, or fall back to nearest"),
+    decimal<UMBRA78_ACCESS(bias_q16)>(
+        "bias", "bias_unit", -(std::int64_t{1} << 40), std::int64_t{1} << 40, 16,
+        "taken from the transformed Z before it is compared"),
+    choice<UMBRA78_ACCESS(bias_unit)>(
+        "bias_unit", bias_unit_names,
+        "light-map Z quanta, light-map texels, or world units (both measured at the target)"),
+    choice<UMBRA78_ACCESS(dither.shape)>(
+        "dither", dither_names,
+        "noise on the light's X and Y: the sum of 0, 1, 2, 4 or 12 uniform bytes"),
+    decimal<UMBRA78_ACCESS(dither.size_q8)>("dither_size", "texels", 0, 4 << 8, 8,
+                                            "peak to peak: 1 is -0.5 .. +0.5 texel"),
+    whole<UMBRA78_ACCESS(dither.seed)>("dither_seed", "word", 1, 0x7fffffff,
+                                       "first 31 bits of the noise register"),
+    whole<UMBRA78_ACCESS(dequantize_passes)>(
+        "dequantize", "passes", 0, 6, "1-2-1 averages along the shadow's edge chain; 0 is off"),
+    whole<UMBRA78_ACCESS(low_pass_passes)>("low_pass", "passes", 0, 8,
+                                           "3 x 3 binomial low-pass of the mask; 0 is off"),
+    decimal<UMBRA78_ACCESS(ambient_q8)>("ambient", "of 1", 0, 256, 8,
+                                        "light that reaches a surface from everywhere"),
+    decimal<UMBRA78_ACCESS(density_q8)>("density", "of 1", 0, 256, 8,
+                                        "of the translucent shadow: 0 invisible, 1 black"),
+    choice<UMBRA78_ACCESS(form)>(
+        "form", form_names,
+        "test visible pixels behind the picture, or each generated point before it is shaded"),
+    choice<UMBRA78_ACCESS(arithmetic)>(
+        "arithmetic", arithmetic_names,
+        "of the post-process: the transform unit's, or an FPS AP-120B's (Z to 16 bits)"),
+    choice<UMBRA78_ACCESS(array_memory)>(
+        "array_memory", memory_names,
+        "the AP-120B's main memory: 333 or 167 ns; no bit depends on it"),
+    whole<UMBRA78_ACCESS(timing.clock_ns)>("clock_ns", "ns", 100, 10000,
+                                           "a cycle; no bit depends on this or what follows"),
+    whole<UMBRA78_ACCESS(timing.multiply_ns)>("multiply_ns", "ns", 1, 400,
+                                              "a 16 x 16 product; more than a clock: more stages"),
+    whole<UMBRA78_ACCESS(timing.add_ns)>("add_ns", "ns", 1, 150,
+                                         "an addition as wide as the accumulator"),
+    whole<UMBRA78_ACCESS(timing.register_ns)>("register_ns", "ns", 0, 40,
+                                              "a stage's register, out of every clock"),
+    choice<UMBRA78_ACCESS(timing.divider)>(
+        "divider", divider_names,
+        "one, with a quotient bit a cycle; or three, cut into stages: a point a cycle"),
+    whole<UMBRA78_ACCESS(timing.noise_bits)>("noise_bits", "bits", 1, 1024,
+                                             "the noise registers advance so far in a cycle"),
+    whole<UMBRA78_ACCESS(timing.light_banks)>(
+        "light_banks", "banks", 1, 4, "light-map words read in a cycle: 1, or 2 x 2 texels' 4"),
+    whole<UMBRA78_ACCESS(timing.dram.access_ns)>("dram_access_ns", "ns", 1, 1000,
+                                                 "a frame store's chip: from a closed row to data"),
+    whole<UMBRA78_ACCESS(timing.dram.cycle_ns)>(
+        "dram_cycle_ns", "ns", 1, 1000, "from one opening of a chip's row to the next"),
+    whole<UMBRA78_ACCESS(timing.dram.column_ns)>(
+        "dram_column_ns", "ns", 1, 1000, "from a column of the open row to data"),
+    whole<UMBRA78_ACCESS(timing.dram.page_ns)>(
+        "dram_page_ns", "ns", 0, 1000,
+        "from one column of the open row to the next; 0: no row is left open"),
+    choice<UMBRA78_ACCESS(timing.dram.rows)>(
+        "dram_rows", dram_rows_names,
+        "a row of the chips holds whole scan lines, or words far apart, which video refreshes"),
+    choice<UMBRA78_ACCESS(timing.dram.video)>(
+        "video", video_names, "frame stores read out to a monitor during the post-process"),
+};
+
+#undef UMBRA78_ACCESS
+
+}  // namespace
+
+std::span<const Setting> settings_table() { return table; }
+
+const Setting* find_setting(std::string_view key) {
+    for (const Setting& s : table)
+        if (s.key == key) return &s;
+    return nullptr;
+}
+
+bool closes(const Settings& settings) {
+    return hw::check(settings.machine) == hw::SpecStatus::ok &&
+           hw::check(settings.timing) == hw::TimingStatus::ok && array_can(settings);
+}
+
+bool array_can(const Settings& settings) {
+    return settings.arithmetic != Arithmetic::ap120b ||
+           (settings.machine.z_bits <= 16 && settings.form == Form::post_process);
+}
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,61 @@
+// Settings: every width and choice of the machine, in one value, and the one table that names them.
+//
+// The table drives the scene file, `--set`, `--help` and the documentation: a setting's key, unit,
+// range, default and meaning stand here and nowhere else.
+#pragma once
+
+#include "hw/ap120b/processor.hpp"
+#include "raster/sampling.hpp"
+#include "shadow/bias.hpp"
+#include "shadow/clocked/timed_test.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace umbra78::shadow {
+
+enum class Form : std::uint8_t { post_process, correct };
+// What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
+enum class Arithmetic : std::uint8_t { fixed, ap120b };
+
+// The shadow test's own (machine, timing, registration, lookup, background, dither) are the base;
+// these are what the frame's other stages read.
+struct Settings : TimedTest {
+    raster::Sampling sampling = raster::Sampling::centre;
+    std::int64_t bias_q16 = 64 << 16;  // in bias_unit, Q.16
+    BiasUnit bias_unit = BiasUnit::quanta;
+    std::int32_t dequantize_passes = 0;  // 1-2-1 averages along the edge chain; 0 leaves it out
+    std::int32_t low_pass_passes = 0;    // 3 x 3 binomial; 0 leaves it out
+    std::int32_t ambient_q8 = 77;        // 0..256
+    std::int32_t density_q8 = 154;       // of the shadow: 0 invisible, 256 black
+    Form form = Form::post_process;
+    Arithmetic arithmetic = Arithmetic::fixed;
+    hw::ap120b::MemorySpeed array_memory = hw::ap120b::MemorySpeed::standard;
+};
+
+// How a setting is written: a whole number, a decimal with `fraction` bits, or one of `names`.
+enum class SettingKind : std::uint8_t { whole, decimal, choice };
+
+struct Setting {
+    std::string_view key;
+    SettingKind kind;
+    std::string_view unit;     // "" for a choice
+    std::int64_t min, max;  // words (decimal: in 2^-fraction units)
+    int fraction;
+    std::span<const std::string_view> names;  // of a choice, by value
+    std::string_view meaning;
+    std::int64_t (*get)(const Settings&);
+    void (*set)(Settings&, std::int64_t);
+};
+
+std::span<const Setting> settings_table();
+const Setting* find_setting(std::string_view key);
+
+// Whether a machine can be built with these settings (the machine's widths, the parts' times).
+bool closes(const Settings& settings);
+
+// Part of that: the AP-120B's host sends 16-bit integers, and it does the post-process only.
+bool array_can(const Settings& settings);
+
+}  // namespace umbra78::shadow

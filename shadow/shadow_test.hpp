@@ -1,0 +1,31 @@
+// What the shadow test of a point reads: the machine's widths, where a pixel's coordinate lies,
+// how the light map is looked up, and the dither.
+//
+// Every stage of the post-process takes this value and not the settings of a whole frame
+// (shadow/frame/settings.hpp), which add to it what the other stages read.
+#pragma once
+
+#include "hw/machine_spec.hpp"
+#include "hw/noise_source.hpp"
+
+#include <cstdint>
+
+namespace umbra78::shadow {
+
+// A pixel's coordinate in the post-process: its centre, or its index (half a pixel off).
+enum class Registration : std::uint8_t { centre, index };
+// The light map's Z at a point: of the texel it falls in, or the exact mean of four.
+enum class Lookup : std::uint8_t { nearest, bilinear };
+// What bilinear lookup does beside the background: blends the background's code, or falls back to
+// nearest.
+enum class Background : std::uint8_t { blend, fall_back };
+
+struct ShadowTest {
+    hw::MachineSpec machine{};
+    Registration registration = Registration::centre;
+    Lookup lookup = Lookup::nearest;
+    Background background = Background::blend;
+    hw::Dither dither{};
+};
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,39 @@
+// expect_equal_frames: every buffer of two frames, word by word; equal_frames says it in one bool.
+#pragma once
+
+#include "shadow/frame/frame.hpp"
+#include "tests/support/buffers.hpp"
+
+#include <algorithm>
+
+namespace umbra78::shadow::test {
+
+// visit(name, a's plane, b's plane) for each of the seven.
+template <class A, class B, class Visit>
+void for_planes(const FrameBuffers<A>& a, const FrameBuffers<B>& b, Visit&& visit) {
+    visit("light_z", a.light.depth, b.light.depth);
+    visit("observer_z", a.observer.depth, b.observer.depth);
+    visit("intensity", a.observer.intensity, b.observer.intensity);
+    visit("mask", a.mask, b.mask);
+    visit("edges", a.edges, b.edges);
+    visit("filtered", a.filtered, b.filtered);
+    visit("picture", a.picture, b.picture);
+}
+
+template <class A, class B>
+void expect_equal_frames(const FrameBuffers<A>& a, const FrameBuffers<B>& b) {
+    for_planes(a, b, [&](const char* name, const auto& p, const auto& q) {
+        umbra78::test::expect_equal_buffers(name, a.observer.size_px(), p, q);
+    });
+}
+
+template <class A, class B>
+bool equal_frames(const FrameBuffers<A>& a, const FrameBuffers<B>& b) {
+    bool equal = true;
+    for_planes(a, b, [&](const char*, const auto& p, const auto& q) {
+        equal &= std::equal(p.begin(), p.end(), q.begin(), q.end());
+    });
+    return equal;
+}
+
+}  // namespace umbra78::shadow::test

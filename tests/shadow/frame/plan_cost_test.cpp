@@ -1,0 +1,90 @@
+// The cost of a plan: the closed forms, and savings that add up to the difference.
+#include "shadow/frame/plan_cost.hpp"
+
+#include "tests/shadow/frame/planned_scenes.hpp"
+#include "tests/support/effort.hpp"
+
+#include <gtest/gtest.h>
+
+namespace umbra78::shadow {
+namespace {
+
+using test::PlannedFrame;
+using test::PlannedScene;
+
+FrameLedger ledger_of(const PlannedFrame& f) {
+    return frame_ledger(f.inputs.scene, f.inputs.settings, f.inputs.matrices, f.frame.buffers,
+                        f.frame.counts);
+}
+
+TEST(PlanCost, SavingsAddUp) {
+    for (PlannedScene& planned : test::planned_scenes()) {
+        if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
+        for (const bool still : {false, true}) {
+            PlannedFrame f(planned);
+            const FramePlan plan = make_plan(f.inputs, still ? &f.inputs : nullptr);
+            f.draw(make_plan(f.inputs));
+            const FrameLedger ledger = ledger_of(f);
+            const DrawnFrame drawn{f.inputs, ledger};
+            std::uint64_t saved = 0;
+            for (std::size_t k = 0; k < omission_count; ++k)
+                saved += saving(static_cast<Omission>(k), plan, drawn).cycles;
+            const std::uint64_t all = total(cycles_of(FramePlan{}, drawn));
+            const std::uint64_t left = total(cycles_of(plan, drawn));
+            EXPECT_EQ(saved, all - left) << planned.name;
+            EXPECT_TRUE(!still || left == 0) << planned.name;
+        }
+    }
+}
+
+// Figure 6, by hand: 128 patches of 16 points, 128 x 128 pixels, four multipliers, a row a cycle.
+TEST(PlanCost, IsTheClosedForm) {
+    const PlannedScene planned = test::planned_scene("figure 6");
+    PlannedFrame f(planned);
+    const FramePlan plan = make_plan(f.inputs);
+    f.draw(plan);
+    const FrameLedger ledger = ledger_of(f);
+    const std::uint64_t seen = ledger.visible, n = 128 * 128;
+    ASSERT_EQ(seen, f.frame.counts.post_process.visible);
+    const DrawnFrame drawn{f.inputs, ledger};
+    const StageCycles c = cycles_of(plan, drawn);
+    EXPECT_EQ(c[0].transform, 128u * 16 * 3);
+    EXPECT_EQ(c[1].transform, 128u * 16 * 3);
+    // The ledger's drawing, whose multipliers have the control points too.
+    EXPECT_EQ(c[0].total(), ledger.light.units.one_after_the_other());
+    EXPECT_EQ(c[1].total(), ledger.observer.units.one_after_the_other());
+    EXPECT_EQ(c[2].transform, seen * 3);
+    EXPECT_EQ(c[2].divide, 0u);
+    EXPECT_EQ(c[2].noise, n);  // 12 bytes twice are the 192 bits of a cycle
+    EXPECT_EQ(c[2].store, seen * 4 + 2 * n);
+    EXPECT_EQ(c[3].total(), ledger.dequantize.units.one_after_the_other());
+    EXPECT_EQ(c[4].total(), ledger.low_pass.units.one_after_the_other());
+    EXPECT_EQ(c[5].total(), ledger.composite.units.one_after_the_other());
+    const std::uint64_t quotient =
+        static_cast<std::uint64_t>(hw::serial_divide_cycles(f.inputs.settings.machine));
+    const auto saved = [&](Omission o) { return saving(o, plan, drawn).cycles; };
+    // The first in the order are counted before background pixels are left out.
+    EXPECT_EQ(saved(Omission::divide), (2 * 2048 + n) * quotient);
+    EXPECT_EQ(saved(Omission::w_row), 2 * 2048 + n);
+    EXPECT_EQ(saved(Omission::constant_product), 0u);  // four multipliers take a row at once
+    EXPECT_EQ(saved(Omission::background_pixels), (n - seen) * (3 + 4));
+    EXPECT_GT(saved(Omission::light_shading), ledger.light_counts.samples * 100);
+    EXPECT_TRUE(saving(Omission::background_pixels, plan, drawn).after_drawing);
+    EXPECT_FALSE(saving(Omission::noise, plan, drawn).after_drawing);
+}
+
+TEST(PlanCost, OneMultiplierIsSparedTheConstantProducts) {
+    PlannedScene planned = test::planned_scene("figure 3");
+    planned.settings.machine.multipliers = 1;
+    PlannedFrame f(planned);
+    const FramePlan plan = make_plan(f.inputs);
+    f.draw(plan);
+    const FrameLedger ledger = ledger_of(f);
+    const DrawnFrame drawn{f.inputs, ledger};
+    const std::uint64_t points = 2 * 2048 + 128 * 128;
+    EXPECT_EQ(saving(Omission::w_row, plan, drawn).cycles, points * 4);
+    EXPECT_EQ(saving(Omission::constant_product, plan, drawn).cycles, points * 3);
+}
+
+}  // namespace
+}  // namespace umbra78::shadow

@@ -1,0 +1,178 @@
+// The plan: what is left out changes no bit of any buffer, and what may not be left out is seen.
+//
+// Each scene is drawn with FramePlan{}, which leaves out nothing, and then with its plan, with each
+// omission alone, and with each omission alone put back; all buffers must be the same.
+#include "shadow/frame/plan.hpp"
+
+#include "shadow/frame/frame.hpp"
+#include "tests/shadow/frame/equal_frames.hpp"
+#include "tests/shadow/frame/planned_scenes.hpp"
+#include "tests/support/effort.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <set>
+#include <string>
+
+namespace umbra78::shadow {
+namespace {
+
+using test::equal_frames;
+using test::expect_equal_frames;
+using test::PlannedFrame;
+using test::PlannedScene;
+
+constexpr std::size_t first_standing = static_cast<std::size_t>(Omission::same_light_map);
+
+FramePlan only(const FramePlan& plan, std::size_t omission) {
+    FramePlan one = plan;
+    for (std::size_t k = 0; k < omission_count; ++k)
+        if (k != omission) one.decisions[k].left_out = false;
+    return one;
+}
+
+FramePlan put_back(FramePlan plan, std::size_t omission) {
+    plan.decisions[omission].left_out = false;
+    return plan;
+}
+
+// --- leaving out --------------------------------------------------------------------------------
+
+TEST(FramePlan, LeavingOutChangesNoBit) {
+    std::set<std::size_t> seen;
+    int frames = 0;
+    for (PlannedScene& planned : test::planned_scenes()) {
+        SCOPED_TRACE(planned.name);
+        if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
+        PlannedFrame expected(planned);
+        const FrameInputs in = expected.inputs;
+        expected.draw(FramePlan{});
+        const FramePlan plan = make_plan(in);
+        PlannedFrame got(planned);
+        got.draw(plan);
+        expect_equal_frames(expected.frame.buffers, got.frame.buffers);
+        for (std::size_t k = 0; k < first_standing; ++k) {
+            if (!plan.decisions[k].left_out) continue;
+            seen.insert(k);
+            for (const FramePlan& variant : {only(plan, k), put_back(plan, k)}) {
+                PlannedFrame other(planned);
+                other.draw(variant);
+                EXPECT_TRUE(equal_frames(expected.frame.buffers, other.frame.buffers))
+                    << "omission " << k;
+                ++frames;
+            }
+        }
+    }
+    std::printf("%d frames; omissions tried: %zu of %zu\n", frames, seen.size(), first_standing);
+    EXPECT_EQ(seen.size(), first_standing) << "an omission no scene makes is not tested";
+}
+
+// The frame that leaves out nothing is the machine's: figure 6's, by its other way.
+TEST(FramePlan, DoingEverythingIsTheSameFrame) {
+    const test::FigureScene figures;
+    for (const int figure : {3, 6}) {
+        const Settings s = figure_settings(figure);
+        const test::Frame<> expected(figures.scene(), s);
+        test::Frame<> got(s.machine, figures.patches.size());
+        draw_frame(FrameInputs{figures.scene(), s, expected.matrices}, FramePlan{}, got.buffers,
+                   got.counts);
+        expect_equal_frames(expected.buffers, got.buffers);
+        EXPECT_EQ(got.counts.post_process.visible, 512u * 512u);
+        EXPECT_EQ(got.counts.post_process.shadowed, expected.counts.post_process.shadowed);
+    }
+}
+
+// Leaving out what is needed is seen by the same comparison, or it proves nothing.
+TEST(FramePlan, AWrongOmissionIsSeen) {
+    PlannedScene figure = test::planned_scenes().front();
+    PlannedFrame expected(figure);
+    expected.draw(FramePlan{});
+    const FramePlan plan = make_plan(expected.inputs);
+    for (const Omission wrong : {Omission::noise, Omission::light_map, Omission::post_process,
+                                 Omission::dequantize, Omission::low_pass, Omission::composite,
+                                 Omission::same_light_map, Omission::same_depth,
+                                 Omission::same_observer, Omission::same_mask,
+                                 Omission::same_picture}) {
+        ASSERT_FALSE(plan.leaves_out(wrong)) << static_cast<int>(wrong);
+        PlannedFrame got(figure);  // its memory is filled with other bytes
+        FramePlan planted = plan;
+        planted.at(wrong).left_out = true;
+        got.draw(planted);
+        EXPECT_FALSE(equal_frames(expected.frame.buffers, got.frame.buffers))
+            << static_cast<int>(wrong);
+    }
+}
+
+// --- reasons ------------------------------------------------------------------------------------
+
+Reason reason(const PlannedScene& planned, Omission o) {
+    return make_plan(PlannedFrame(planned).inputs).at(o).reason;
+}
+
+TEST(FramePlan, SaysWhy) {
+    using enum Omission;
+    const auto scene = [](const char* name) { return test::planned_scene(name); };
+    EXPECT_EQ(reason(scene("figure 6"), divide), Reason::affine);
+    EXPECT_EQ(reason(scene("figure 6"), noise), Reason::asked_for);
+    EXPECT_EQ(reason(scene("figure 6"), post_process), Reason::may_shadow);
+    EXPECT_EQ(reason(scene("figure 6"), light_map), Reason::may_shadow);
+    EXPECT_EQ(reason(scene("figure 6"), same_light_map), Reason::no_frame_before);
+    EXPECT_EQ(reason(scene("figure 3"), noise), Reason::dither_off);
+    EXPECT_EQ(reason(scene("figure 3"), low_pass), Reason::no_passes);
+    EXPECT_EQ(reason(scene("silent dither"), noise), Reason::dither_rounds_to_zero);
+    EXPECT_EQ(reason(scene("point light"), divide), Reason::partly_affine);
+    EXPECT_EQ(reason(scene("perspective"), w_row), Reason::partly_affine);
+    EXPECT_EQ(reason(scene("perspective, point light"), divide), Reason::perspective);
+    EXPECT_EQ(reason(scene("empty"), post_process), Reason::nothing_visible);
+    EXPECT_EQ(reason(scene("no caster"), light_map), Reason::no_caster);
+    EXPECT_EQ(reason(scene("no caster"), post_process), Reason::no_caster);
+    EXPECT_EQ(reason(scene("no caster"), composite), Reason::nothing_shadowed);
+    EXPECT_EQ(reason(scene("outside the light"), light_map), Reason::may_shadow);
+    EXPECT_EQ(reason(scene("outside the light"), post_process), Reason::outside_light);
+    EXPECT_EQ(reason(scene("outside a point light"), post_process), Reason::outside_light);
+    EXPECT_EQ(reason(scene("no density"), composite), Reason::invisible_shadow);
+    EXPECT_EQ(reason(scene("correct"), composite), Reason::shadow_in_shading);
+    EXPECT_EQ(reason(scene("correct"), background_pixels), Reason::tested_when_drawn);
+}
+
+TEST(FramePlan, CountsThePatchesOutside) {
+    const auto outside = [](const char* name) {
+        return make_plan(PlannedFrame(test::planned_scene(name)).inputs).outside;
+    };
+    EXPECT_EQ(outside("figure 6").light, 0u);
+    EXPECT_EQ(outside("figure 6").observer, 0u);
+    EXPECT_EQ(outside("no caster").light, 128u);
+    EXPECT_EQ(outside("no caster").observer, 0u);
+    EXPECT_EQ(outside("outside the light").light, 128u);
+    EXPECT_EQ(outside("outside the light").observer, 32u);
+}
+
+// What a plan calls out of the light's reach is lit when it is drawn, for lights all over.
+TEST(FramePlan, WhatIsOutOfReachIsLit) {
+    fixed::test::Random random;
+    int left_out = 0, shadowed = 0;
+    const int rounds = umbra78::test::sanitized ? 20 : 60;
+    for (int k = 0; k < rounds; ++k) {
+        PlannedScene planned = test::planned_scene(k % 2 ? "figure 6" : "point light");
+        planned.settings.machine.xy_bits = 5;
+        planned.settings.form = k % 3 == 0 ? Form::correct : Form::post_process;
+        planned.settings.registration = k % 5 == 0 ? Registration::index : Registration::centre;
+        const auto place = [&] { return static_cast<std::int32_t>(random.between(-3, 3) << 16); };
+        planned.light.target = {place(), place(), place()};
+        if (k % 2) planned.light.extent = static_cast<std::int32_t>(random.between(1, 3) << 15);
+        PlannedFrame expected(planned), got(planned);
+        expected.draw(FramePlan{});
+        const FramePlan plan = make_plan(expected.inputs);
+        got.draw(plan);
+        EXPECT_TRUE(equal_frames(expected.frame.buffers, got.frame.buffers)) << k;
+        left_out += plan.leaves_out(Omission::post_process);
+        shadowed += !plan.leaves_out(Omission::post_process);
+    }
+    std::printf("post-process left out %d times, needed %d times\n", left_out, shadowed);
+    EXPECT_GT(left_out, rounds / 20);
+    EXPECT_GT(shadowed, rounds / 20);
+}
+
+}  // namespace
+}  // namespace umbra78::shadow

@@ -1,0 +1,136 @@
+// Scenes that leave out different things, small enough to be drawn a hundred times.
+#pragma once
+
+#include "shadow/frame/frame.hpp"
+#include "tests/fixed/boundary.hpp"
+#include "tests/shadow/frame/figure_frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbra78::shadow::test {
+
+struct PlannedScene {
+    std::string name;
+    std::vector<raster::Patch> patches;
+    std::vector<raster::Material> materials{figure_material};
+    raster::View observer{}, light{};
+    Settings settings{};
+
+    Scene scene() const { return {patches, materials, observer, light}; }
+};
+
+inline PlannedScene planned_figure(std::string name, int figure) {
+    const FigurePatches patches = figure_patches();
+    PlannedScene p{std::move(name), {patches.begin(), patches.end()}};
+    p.observer = figure_view(0);
+    p.light = figure_view(figure_azimuth_q16);
+    p.settings = figure_settings(figure);
+    p.settings.machine.xy_bits = 7;
+    return p;
+}
+
+// In perspective, `distance` from the target, near and far fitted.
+inline void put_eye(PlannedScene& p, raster::View& view, std::int32_t distance) {
+    view.projection = raster::Projection::perspective;
+    view.distance = distance << 16;
+    raster::fit_depth(view, raster::depth_range(view, p.patches));
+    p.settings.machine.coefficient_bits = 24;
+}
+
+inline std::vector<PlannedScene> planned_scenes() {
+    std::vector<PlannedScene> all;
+    const auto add = [&](const char* name, int figure) -> PlannedScene& {
+        all.push_back(planned_figure(name, figure));
+        return all.back();
+    };
+    const auto add_floor = [](PlannedScene& p) {
+        p.patches.push_back(raster::plane_patch(
+            {{-196608, -127795, 196608}, {393216, 0, 0}, {0, 0, -393216}, 0}));
+    };
+    add("figure 6", 6);
+    add("figure 3", 3);
+    add("figure 4", 4);
+    add_floor(add("floor", 4));
+    all.back().observer.axes = raster::axes_from_angles(30 << 16, 20 << 16);
+    all.back().settings.low_pass_passes = 2;
+    add_floor(add("perspective", 4));
+    put_eye(all.back(), all.back().observer, 6);
+    {
+        PlannedScene& p = add("point light", 6);
+        put_eye(p, p.light, 8);
+    }
+    {
+        PlannedScene& p = add("perspective, point light", 4);
+        p.settings.dither.shape = hw::DitherShape::none;
+        put_eye(p, p.observer, 6);
+        put_eye(p, p.light, 8);
+    }
+    {
+        PlannedScene& p = add("rounded first", 4);
+        p.settings.machine.divide_order = hw::DivideOrder::round_first;
+    }
+    add("empty", 6).patches.clear();
+    {
+        PlannedScene& p = add("no caster", 6);
+        p.light.target = {20 << 16, 0, 0};
+    }
+    {
+        // A caster in the light's volume that the observer does not see, and spheres he does.
+        PlannedScene& p = add("outside the light", 6);
+        p.light.target = {0, 20 << 16, 0};
+        p.patches.resize(p.patches.size() + raster::patches_per_sphere);
+        raster::sphere_patches({p.light.target, 1 << 16, 0},
+                               std::span<raster::Patch, raster::patches_per_sphere>(
+                                   p.patches.data() + 128, raster::patches_per_sphere));
+        PlannedScene q = p;
+        q.name = "outside a point light";
+        q.light.axes = raster::axes_from_angles(0, 0);
+        put_eye(q, q.light, 4);
+        all.push_back(q);
+    }
+    add("no density", 6).settings.density_q8 = 0;
+    add("silent dither", 4).settings.dither.size_q8 = 0;
+    add("correct", 6).settings.form = Form::correct;
+    {
+        PlannedScene& p = add("correct, no caster", 6);
+        p.settings.form = Form::correct;
+        p.light.target = {20 << 16, 0, 0};
+    }
+    {
+        PlannedScene& p = add("leaves, index, odd roundings", 4);
+        p.settings.sampling = raster::Sampling::leaf;
+        p.settings.registration = Registration::index;
+        p.settings.machine.transform_rounding = fixed::Rounding::half_even;
+        p.settings.machine.fraction_bits = 0;
+        p.settings.machine.max_accumulator_bits = 24;
+    }
+    return all;
+}
+
+inline PlannedScene planned_scene(std::string_view name) {
+    for (const PlannedScene& p : planned_scenes())
+        if (p.name == name) return p;
+    ADD_FAILURE() << "no scene " << name;
+    return {};
+}
+
+// A planned scene's inputs, and memory to draw it in. The scene must outlive it.
+struct PlannedFrame {
+    explicit PlannedFrame(const PlannedScene& planned)
+        : frame(planned.settings.machine, planned.patches.size()),
+          inputs{planned.scene(), planned.settings, {}} {
+        EXPECT_EQ(load_matrices(inputs.scene, inputs.settings, inputs.matrices),
+                  FrameStatus::ok)
+            << planned.name;
+    }
+    void draw(const FramePlan& plan) { draw_frame(inputs, plan, frame.buffers, frame.counts); }
+
+    Frame<> frame;
+    FrameInputs inputs;
+};
+
+}  // namespace umbra78::shadow::test

@@ -1,0 +1,210 @@
+// What stands still: where the plan keeps a buffer, a frame drawn anew holds the same in it.
+#include "shadow/frame/reuse.hpp"
+
+#include "shadow/frame/frame.hpp"
+#include "tests/shadow/frame/equal_frames.hpp"
+#include "tests/shadow/frame/planned_scenes.hpp"
+#include "tests/support/effort.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+namespace umbra78::shadow {
+namespace {
+
+using test::equal_frames;
+using test::PlannedFrame;
+using test::PlannedScene;
+
+constexpr std::array standing{Omission::same_light_map, Omission::same_depth,
+                              Omission::same_observer, Omission::same_mask,
+                              Omission::same_picture};
+
+// "LDOMP": light map, depth, observer, mask, picture.
+std::string kept(const FramePlan& plan) {
+    std::string letters;
+    for (std::size_t k = 0; k < standing.size(); ++k)
+        if (plan.leaves_out(standing[k])) letters += "LDOMP"[k];
+    return letters;
+}
+
+// Draws `now` over what `before` left, with all that is kept and with each of it put back, and
+// compares with a frame drawn anew. Returns what was kept.
+std::string draw_over(const PlannedScene& before, const PlannedScene& now) {
+    PlannedFrame fresh(now);
+    fresh.draw(make_plan(fresh.inputs));
+    PlannedFrame used(before);
+    const FrameInputs old = used.inputs;
+    const FramePlan plan = make_plan(fresh.inputs, &old);
+    for (std::size_t k = 0; k <= standing.size(); ++k) {
+        FramePlan variant = plan;
+        if (k < standing.size() && !plan.leaves_out(standing[k])) continue;
+        if (k < standing.size()) variant.at(standing[k]).left_out = false;
+        used.inputs = old;
+        used.draw(make_plan(old));
+        used.inputs = fresh.inputs;
+        used.draw(variant);
+        EXPECT_TRUE(equal_frames(fresh.frame.buffers, used.frame.buffers))
+            << "kept " << kept(variant);
+    }
+    return kept(plan);
+}
+
+// --- settings -----------------------------------------------------------------------------------
+
+std::int64_t another(const Setting& setting, const Settings& s) {
+    const std::int64_t v = setting.get(s);
+    if (setting.kind == SettingKind::choice) return (v + 1) % (setting.max + 1);
+    if (setting.kind == SettingKind::decimal) return v == 0 ? setting.max : v / 2;
+    for (const std::int64_t w : {v - 1, v + 1, setting.min, setting.max}) {
+        Settings changed = s;
+        setting.set(changed, w);
+        if (w != v && w >= setting.min && w <= setting.max && closes(changed)) return w;
+    }
+    return v;
+}
+
+using Expected = std::map<std::string_view, std::string>;
+
+// Of the settings of figure 6; what no bit depends on keeps everything.
+const Expected post_process_form{
+    {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "LDO"},
+    {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""},
+    {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"}, {"background", "LDO"},
+    {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"}, {"dither_size", "LDO"},
+    {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
+    {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
+const Expected correct_form{
+    {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
+    {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""},
+    {"sampling", ""}, {"registration", "L"}, {"lookup", "L"}, {"background", "L"},
+    {"bias", "L"}, {"bias_unit", "LD"},  // 192 texels: nothing is tested any more
+    {"dither", "L"}, {"dither_size", "L"},
+    {"dither_seed", "L"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "L"},
+    {"density", "LDOMP"}, {"form", "LD"}};
+
+void change_each_setting(PlannedScene base, const Expected& expected) {
+    if (umbra78::test::sanitized) base.settings.machine.xy_bits = 5;
+    int turn = 0;
+    for (const Setting& setting : settings_table()) {
+        if (umbra78::test::sanitized && ++turn % 4 != 0) continue;
+        SCOPED_TRACE(setting.key);
+        PlannedScene changed = base;
+        setting.set(changed.settings, another(setting, base.settings));
+        ASSERT_NE(setting.get(changed.settings), setting.get(base.settings));
+        if (!closes(changed.settings)) continue;  // the AP-120B has no correct form
+        const auto found = expected.find(setting.key);
+        const std::string keeps = found == expected.end() ? "LDOMP" : found->second;
+        const hw::MachineSpec &m = changed.settings.machine, &n = base.settings.machine;
+        if (m.xy_bits == n.xy_bits && m.z_bits == n.z_bits) {
+            EXPECT_EQ(draw_over(base, changed), keeps);
+        } else {  // other buffers altogether
+            const PlannedFrame a(base), b(changed);
+            EXPECT_EQ(kept(make_plan(b.inputs, &a.inputs)), keeps);
+        }
+    }
+}
+
+TEST(Reuse, EachSettingInTurn) {
+    change_each_setting(test::planned_scene("figure 6"), post_process_form);
+}
+
+TEST(Reuse, EachSettingInTurnOfTheCorrectForm) {
+    change_each_setting(test::planned_scene("correct"), correct_form);
+}
+
+TEST(Reuse, WhatIsNotReadMayChange) {
+    PlannedScene base = test::planned_scene("figure 3"), changed = base;
+    changed.settings.background = Background::fall_back;  // nearest lookup does not ask
+    changed.settings.dither.seed = 99;                    // dither is off
+    changed.settings.machine.divide_order = hw::DivideOrder::round_first;  // nothing divides
+    EXPECT_EQ(draw_over(base, changed), "LDOMP");
+    changed.settings.dither.shape = hw::DitherShape::uniform;
+    changed.settings.dither.size_q8 = 0;
+    EXPECT_EQ(draw_over(base, changed), "LDOMP");
+    changed = base;
+    changed.settings.machine.max_accumulator_bits = 35;  // as many as it has
+    changed.settings.machine.product_rounding = fixed::Rounding::half_up;
+    EXPECT_EQ(draw_over(base, changed), "LDOMP");
+    changed.settings.machine.max_accumulator_bits = 22;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
+    base = changed;
+    base.settings.machine.product_rounding = fixed::Rounding::ceiling;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
+    base = test::planned_scene("point light");
+    base.settings.dither.shape = hw::DitherShape::none;
+    changed = base;
+    changed.settings.machine.divide_order = hw::DivideOrder::round_first;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
+}
+
+// --- scene and views ----------------------------------------------------------------------------
+
+TEST(Reuse, TheLightMoves) {
+    for (const char* name : {"figure 6", "point light", "floor"}) {
+        const PlannedScene base = test::planned_scene(name);
+        PlannedScene moved = base;
+        moved.light.axes = raster::axes_from_angles(-80 << 16, 10 << 16);
+        EXPECT_EQ(draw_over(base, moved), "D") << name;  // its direction is in the shading
+    }
+    const PlannedScene base = test::planned_scene("correct");
+    PlannedScene moved = base;
+    moved.light.axes = raster::axes_from_angles(-80 << 16, 10 << 16);
+    EXPECT_EQ(draw_over(base, moved), "");
+}
+
+TEST(Reuse, TheLightsWindowChanges) {
+    const PlannedScene base = test::planned_scene("figure 6");
+    PlannedScene wider = base;
+    wider.light.extent = 3 << 16;
+    EXPECT_EQ(draw_over(base, wider), "DO");
+}
+
+TEST(Reuse, TheObserverMoves) {
+    for (const char* name : {"figure 6", "perspective", "correct"}) {
+        const PlannedScene base = test::planned_scene(name);
+        PlannedScene moved = base;
+        moved.observer.axes = raster::axes_from_angles(15 << 16, 0);
+        EXPECT_EQ(draw_over(base, moved), "L") << name;
+    }
+}
+
+TEST(Reuse, SurfacesChange) {
+    const PlannedScene base = test::planned_scene("figure 6");
+    PlannedScene paler = base;
+    paler.materials[0].diffuse = 100;
+    EXPECT_EQ(draw_over(base, paler), "LDM");
+    PlannedScene dented = base;
+    dented.patches[5].control[5].x += 1 << 12;
+    EXPECT_EQ(draw_over(base, dented), "");
+    PlannedScene fewer = base;
+    fewer.patches.pop_back();
+    EXPECT_EQ(draw_over(base, fewer), "");
+    EXPECT_EQ(draw_over(base, base), "LDOMP");
+    PlannedScene two = base;
+    two.materials.push_back({50, 0, 0});
+    two.patches[7].material = 1;
+    EXPECT_EQ(draw_over(base, two), "LDM");
+}
+
+// From a scene in which something was left out, and to one: a quarter of all pairs.
+TEST(Reuse, BetweenTwoScenes) {
+    std::vector<PlannedScene> scenes = test::planned_scenes();
+    for (PlannedScene& p : scenes) p.settings.machine.xy_bits = 5;
+    int pairs = 0, drawn = 0, keeping = 0;
+    for (const PlannedScene& before : scenes)
+        for (const PlannedScene& now : scenes) {
+            if (now.patches.size() > before.patches.size()) continue;  // carved for fewer
+            if (++pairs % (umbra78::test::sanitized ? 32 : 4) != 0) continue;
+            ++drawn;
+            SCOPED_TRACE(before.name + " to " + now.name);
+            keeping += !draw_over(before, now).empty();
+        }
+    std::printf("%d of %d pairs of scenes keep something\n", keeping, drawn);
+    EXPECT_GT(keeping, drawn / 8);
+}
+
+}  // namespace
+}  // namespace umbra78::shadow

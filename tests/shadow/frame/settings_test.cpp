@@ -1,0 +1,289 @@
+// The one table of settings: complete, consistent, and its accessors reach what they name.
+#include "shadow/frame/profiles.hpp"
+#include "shadow/frame/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace umbra78::shadow {
+namespace {
+
+using fixed::Rounding;
+
+// Converts to whatever a member is: as many as fit, that many members a struct has.
+struct Anything {
+    template <class T>
+    operator T() const;
+};
+template <class Struct, class Base, class... Members>
+concept Has = requires { Struct{Base{}, Members{}...}; };
+using A = Anything;
+
+// Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
+// is a compile error here until it is named, and then a failure below until the table names it too.
+static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
+static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A> &&
+              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A>);
+auto members(const Settings& s) {
+    const auto& [machine, registration, lookup, background, dither] =
+        static_cast<const ShadowTest&>(s);
+    const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
+                 max_accumulator_bits, product_rounding, transform_rounding, coefficient_rounding,
+                 depth_rounding, divide_order] = machine;
+    const auto& [shape, size_q8, seed] = dither;
+    const auto& [clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits, light_banks,
+                 dram] = s.timing;
+    const auto& [access_ns, cycle_ns, column_ns, page_ns, rows, video] = dram;
+    return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
+                           max_accumulator_bits, product_rounding, transform_rounding,
+                           coefficient_rounding, depth_rounding, divide_order, s.sampling,
+                           registration, lookup, background, s.bias_q16, s.bias_unit, shape,
+                           size_q8, seed, s.dequantize_passes, s.low_pass_passes, s.ambient_q8,
+                           s.density_q8, s.form,
+                           clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
+                           light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
+                           s.arithmetic, s.array_memory);
+}
+constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
+
+std::vector<std::int64_t> all_values(const Settings& s) {
+    std::vector<std::int64_t> values;
+    for (const Setting& row : settings_table()) values.push_back(row.get(s));
+    return values;
+}
+
+TEST(SettingsTable, HasOneRowForEachMember) {
+    EXPECT_EQ(settings_table().size(), member_count);
+}
+
+TEST(SettingsTable, KeysAreUniqueAndFound) {
+    std::set<std::string_view> keys;
+    for (const Setting& row : settings_table()) {
+        EXPECT_TRUE(keys.insert(row.key).second) << row.key << " twice";
+        EXPECT_EQ(find_setting(row.key), &row) << row.key;
+        EXPECT_EQ(row.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), row.key.npos)
+            << row.key;
+    }
+    for (const std::string_view unknown : {"", "bia", "bias_", "Bias", "profile"})
+        EXPECT_EQ(find_setting(unknown), nullptr) << unknown;
+}
+
+TEST(SettingsTable, RowsAreConsistent) {
+    for (const Setting& row : settings_table()) {
+        EXPECT_FALSE(row.meaning.empty()) << row.key;
+        EXPECT_LE(row.min, row.max) << row.key;
+        EXPECT_EQ(row.kind == SettingKind::choice, row.unit.empty()) << row.key;
+        EXPECT_EQ(row.kind == SettingKind::decimal, row.fraction > 0) << row.key;
+        EXPECT_EQ(row.kind == SettingKind::choice, !row.names.empty()) << row.key;
+        if (row.kind != SettingKind::choice) continue;
+        EXPECT_EQ(row.min, 0) << row.key;
+        EXPECT_EQ(row.max + 1, static_cast<std::int64_t>(row.names.size())) << row.key;
+        EXPECT_EQ(std::set<std::string_view>(row.names.begin(), row.names.end()).size(),
+                  row.names.size())
+            << row.key;
+    }
+}
+
+// Over both ends of the range, and what lies next to them and between.
+TEST(SettingsTable, WhatIsSetIsGotAndNothingElseChanges) {
+    for (const Setting& row : settings_table()) {
+        const std::int64_t middle = row.min + (row.max - row.min) / 2;
+        for (const std::int64_t v : {row.min, row.min + 1, middle, row.max - 1, row.max}) {
+            if (v < row.min || v > row.max) continue;
+            Settings s;
+            row.set(s, v);
+            EXPECT_EQ(row.get(s), v) << row.key;
+            for (const Setting& other : settings_table()) {
+                if (&other == &row) continue;
+                EXPECT_EQ(other.get(s), other.get(Settings{}))
+                    << row.key << " = " << v << " changes " << other.key;
+            }
+        }
+    }
+}
+
+// From any state, setting every row to its default is Settings{}: no member escapes the table.
+TEST(SettingsTable, DefaultsAreSettings) {
+    const Settings defaults;
+    for (const bool high : {false, true}) {
+        Settings s;
+        for (const Setting& row : settings_table()) row.set(s, high ? row.max : row.min);
+        EXPECT_NE(members(s), members(defaults));
+        for (const Setting& row : settings_table()) {
+            const std::int64_t value = row.get(defaults);
+            EXPECT_GE(value, row.min) << row.key;
+            EXPECT_LE(value, row.max) << row.key;
+            row.set(s, value);
+        }
+        EXPECT_EQ(members(s), members(defaults));
+        EXPECT_EQ(all_values(s), all_values(defaults));
+    }
+}
+
+// 1978's machine, in the words of the scene file.
+TEST(SettingsTable, DefaultsAreThese) {
+    const std::map<std::string_view, std::int64_t> expected{
+        {"xy_bits", 9},         {"z_bits", 16},
+        {"coefficient_bits", 16}, {"fraction_bits", 7},
+        {"multipliers", 4},     {"transform_rounding", 3},
+        {"accumulator_bits", 64}, {"product_rounding", 0},
+        {"coefficient_rounding", 6}, {"depth_rounding", 3},
+        {"divide_order", 0},    {"sampling", 1},
+        {"registration", 0},    {"lookup", 0},
+        {"background", 0},      {"bias", 64 << 16},
+        {"bias_unit", 0},       {"dither", 0},
+        {"dither_size", 256},   {"dither_seed", 0x12345678},
+        {"dequantize", 0},      {"low_pass", 0},
+        {"ambient", 77},        {"density", 154},
+        {"form", 0},            {"clock_ns", 200},
+        {"multiply_ns", 160},   {"add_ns", 60},
+        {"register_ns", 20},    {"divider", 0},
+        {"noise_bits", 192},    {"light_banks", 1},
+        {"arithmetic", 0},      {"array_memory", 0},
+        {"dram_access_ns", 200}, {"dram_cycle_ns", 375},
+        {"dram_column_ns", 135}, {"dram_page_ns", 225},
+        {"dram_rows", 0},       {"video", 1}};
+    EXPECT_EQ(expected.size(), settings_table().size());
+    for (const Setting& row : settings_table()) {
+        const auto at = expected.find(row.key);
+        ASSERT_NE(at, expected.end()) << row.key;
+        EXPECT_EQ(row.get(Settings{}), at->second) << row.key;
+    }
+}
+
+TEST(SettingsTable, NamesAreTheEnumerators) {
+    struct Named {
+        std::string_view key, name;
+        int value;
+    };
+    const auto named = [](std::string_view key, std::string_view name, auto enumerator) {
+        return Named{key, name, static_cast<int>(enumerator)};
+    };
+    std::vector<Named> all;
+    for (const std::string_view key :
+         {"product_rounding", "transform_rounding", "coefficient_rounding", "depth_rounding"}) {
+        all.push_back(named(key, "floor", Rounding::floor));
+        all.push_back(named(key, "ceiling", Rounding::ceiling));
+        all.push_back(named(key, "to_zero", Rounding::to_zero));
+        all.push_back(named(key, "half_up", Rounding::half_up));
+        all.push_back(named(key, "half_to_zero", Rounding::half_to_zero));
+        all.push_back(named(key, "half_away", Rounding::half_away));
+        all.push_back(named(key, "half_even", Rounding::half_even));
+    }
+    all.push_back(named("divide_order", "exact", hw::DivideOrder::exact));
+    all.push_back(named("divide_order", "round_first", hw::DivideOrder::round_first));
+    all.push_back(named("sampling", "leaf", raster::Sampling::leaf));
+    all.push_back(named("sampling", "centre", raster::Sampling::centre));
+    all.push_back(named("registration", "centre", Registration::centre));
+    all.push_back(named("registration", "index", Registration::index));
+    all.push_back(named("lookup", "nearest", Lookup::nearest));
+    all.push_back(named("lookup", "bilinear", Lookup::bilinear));
+    all.push_back(named("background", "blend", Background::blend));
+    all.push_back(named("background", "fall_back", Background::fall_back));
+    all.push_back(named("bias_unit", "quanta", BiasUnit::quanta));
+    all.push_back(named("bias_unit", "texels", BiasUnit::texels));
+    all.push_back(named("bias_unit", "world", BiasUnit::world));
+    all.push_back(named("dither", "none", hw::DitherShape::none));
+    all.push_back(named("dither", "uniform", hw::DitherShape::uniform));
+    all.push_back(named("dither", "triangular", hw::DitherShape::triangular));
+    all.push_back(named("dither", "normal4", hw::DitherShape::normal4));
+    all.push_back(named("dither", "normal", hw::DitherShape::normal));
+    all.push_back(named("divider", "serial", hw::Divider::serial));
+    all.push_back(named("divider", "pipelined", hw::Divider::pipelined));
+    all.push_back(named("dram_rows", "lines", hw::DramRows::lines));
+    all.push_back(named("dram_rows", "words", hw::DramRows::words));
+    all.push_back(named("video", "off", hw::Video::off));
+    all.push_back(named("video", "observer", hw::Video::observer));
+    all.push_back(named("video", "all", hw::Video::all));
+    all.push_back(named("form", "post_process", Form::post_process));
+    all.push_back(named("form", "correct", Form::correct));
+    all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
+    all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
+    all.push_back(named("array_memory", "standard", hw::ap120b::MemorySpeed::standard));
+    all.push_back(named("array_memory", "fast", hw::ap120b::MemorySpeed::fast));
+
+    std::size_t names = 0;
+    for (const Setting& row : settings_table()) names += row.names.size();
+    EXPECT_EQ(names, all.size());
+    for (const Named& n : all) {
+        const Setting* row = find_setting(n.key);
+        ASSERT_NE(row, nullptr) << n.key;
+        ASSERT_LT(static_cast<std::size_t>(n.value), row->names.size()) << n.key;
+        EXPECT_EQ(row->names[static_cast<std::size_t>(n.value)], n.name) << n.key;
+    }
+}
+
+// The machine's check and the table's ranges are the same ranges, but for 2 and 3 multipliers.
+TEST(SettingsTable, RangesAreTheMachines) {
+    for (const std::string_view key : {"xy_bits", "z_bits", "coefficient_bits", "fraction_bits",
+                                       "accumulator_bits"}) {
+        const Setting& row = *find_setting(key);
+        for (std::int64_t v = row.min - 2; v <= row.max + 2; ++v) {
+            Settings s;
+            row.set(s, v);
+            EXPECT_EQ(hw::check(s.machine) == hw::SpecStatus::ok, v >= row.min && v <= row.max)
+                << key << " " << v;
+        }
+    }
+    const Setting& row = *find_setting("multipliers");
+    for (std::int64_t v = row.min - 2; v <= row.max + 2; ++v) {
+        Settings s;
+        row.set(s, v);
+        EXPECT_EQ(hw::check(s.machine) == hw::SpecStatus::ok, v == 1 || v == 4 || v == 16) << v;
+    }
+}
+
+// What the machine's checks refuse within the table's ranges.
+TEST(SettingsTable, GapsAreRefused) {
+    Settings s;
+    EXPECT_TRUE(closes(s));
+    for (const int banks : {2, 3}) {
+        s.timing.light_banks = banks;
+        EXPECT_FALSE(closes(s)) << banks;
+    }
+    s = {};
+    s.timing.clock_ns = s.timing.register_ns;
+    EXPECT_FALSE(closes(s));
+    s = {};
+    s.machine.multipliers = 3;
+    EXPECT_FALSE(closes(s));
+    s = {};
+    s.arithmetic = Arithmetic::ap120b;
+    EXPECT_TRUE(closes(s));
+    s.machine.z_bits = 17;
+    EXPECT_FALSE(closes(s)) << "the host sends 16 bits";
+    s.machine.z_bits = 16;
+    s.form = Form::correct;
+    EXPECT_FALSE(closes(s));
+}
+
+TEST(Profiles, AreMachinesThatClose) {
+    std::set<std::string_view> names;
+    for (const Profile& p : profiles()) {
+        EXPECT_TRUE(names.insert(p.name).second) << p.name;
+        EXPECT_FALSE(p.meaning.empty()) << p.name;
+        EXPECT_EQ(find_setting(p.name), nullptr) << p.name;
+        Settings s;
+        apply(p, s);
+        EXPECT_TRUE(closes(s)) << p.name;
+        for (const ProfileValue& v : p.values) {
+            const Setting* row = find_setting(v.key);
+            ASSERT_NE(row, nullptr) << p.name << " " << v.key;
+            EXPECT_GE(v.word, row->min) << p.name << " " << v.key;
+            EXPECT_LE(v.word, row->max) << p.name << " " << v.key;
+            EXPECT_EQ(row->get(s), v.word) << p.name << " " << v.key;
+            EXPECT_FALSE(v.source.empty()) << p.name << " " << v.key;
+        }
+        EXPECT_EQ(find_profile(p.name), &p);
+    }
+    EXPECT_TRUE(names.contains("affine16") && names.contains("perspective24"));
+}
+
+}  // namespace
+}  // namespace umbra78::shadow

@@ -1,0 +1,239 @@
+// The program as a user runs it: its messages and exit codes, and what it leaves behind.
+#include "shadow/frame/profiles.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/support/program.hpp"
+#include "tools/paper/figure_set.hpp"
+#include "tools/truth/patch_truth.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace umbra78::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::ordered_json;
+using test::Program;
+using test::Ran;
+
+const std::string figures_scene_file = UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml";
+
+TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
+    const struct {
+        const char *arguments, *message;
+    } cases[] = {
+        {"", "A subcommand is required; see umbra78 --help"},
+        {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
+                       "animate, cycles, trace, bands, study, settings, --help; see umbra78 "
+                       "--help"},
+        {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
+        {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
+                      "animate, cycles, trace, bands, study, settings, --help; see umbra78 "
+                      "--help"},
+        {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
+                           "figures --help"},
+        {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
+        {"figures --out", "--out: 1 required DIR missing; see umbra78 figures --help"},
+        {"figures here", "unknown argument 'here'; known here: --help, --out, --goldens, "
+                         "--check, --bless, --json; see umbra78 figures --help"},
+        {"render", "scene is required; see umbra78 render --help"},
+        {"render a.toml b.toml",
+         "unknown argument 'b.toml'; known here: --help, scene, --out, --buffers, --set, "
+         "--no-truth, --json; see umbra78 render --help"},
+        {"render a.toml --set", "--set: 1 required KEY=VALUE missing; see umbra78 render --help"},
+        {"render a.toml --jsn", "unknown argument '--jsn'; did you mean '--json'?; see umbra78 "
+                                "render --help"},
+        {"bands --bias many",
+         "--bias: Value many not in range 0 to 65536; see umbra78 bands --help"},
+        {"trace a.toml", "--pixel is required; see umbra78 trace --help"},
+        {"trace a.toml --pixel 1:2", "--pixel: '1:2' is no pixel; write x,y as in 80,180; see "
+                                     "umbra78 trace --help"},
+        {"trace a.toml --pixel 1,2 --json --waterfall",
+         "--waterfall excludes --json; see umbra78 trace --help"},
+        {"settings --markdown", "unknown argument '--markdown'; known here: --help, --json; see "
+                                "umbra78 settings --help"},
+    };
+    for (const auto& [arguments, message] : cases) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.exit_code, 2) << arguments;
+        EXPECT_EQ(ran.err, std::string("umbra78: ") + message + "\n");
+        EXPECT_EQ(ran.out, "");
+    }
+    EXPECT_EQ(files().size(), 0u);
+}
+
+TEST_F(Program, AFailureIsOneLineExitCode1AndLeavesNoFile) {
+    write("bad.toml", "[light]\nazimuth = -100\n[[sphere]]\ncentre = [0, 0, 0]\nradios = 1\n");
+    write("good.toml", "[light]\nazimuth = -100\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n");
+    write("file", "");
+    const struct {
+        const char *arguments, *message;
+    } cases[] = {
+        {"render none.toml --out a.png",
+         "cannot read 'none.toml': No such file or directory; give the path of a scene file"},
+        {"render . --out a.png", "cannot read '.': Is a directory; give the path of a scene file"},
+        {"render bad.toml --out a.png --buffers b",
+         "bad.toml:5: unknown key 'radios' in [[sphere]]; did you mean 'radius'?"},
+        {"render good.toml --set xy_bits=64",
+         "--set xy_bits=64: 'xy_bits' in [settings] is 64; its range is 4 .. 12"},
+        {"render good.toml --set 'bias=1\n2'", "--set bias=1 2: 'bias' in [settings] is the text "
+                                               "'1 2'; write a number"},
+        {"render good.toml --set xy_bits=5 --out none/a.png --buffers b",
+         "cannot write 'none/a.png': No such file or directory; create its folder first"},
+        {"render good.toml --set xy_bits=5 --out a.png --buffers file",
+         "cannot make the folder 'file': Not a directory; name a place that can be written to"},
+        {"render good.toml --set xy_bits=5 --out a.png --buffers file/b",
+         "cannot make the folder 'file/b': Not a directory; name a place that can be written to"},
+        {"render good.toml --set xy_bits=5 --out .",
+         "cannot write '.': Is a directory; name a file, not a folder"},
+        {"figures --out file",
+         "cannot make the folder 'file': Not a directory; name a place that can be written to"},
+        {"figures --out a --check --goldens none",
+         "there are no goldens in 'none'; name their folder with --goldens, or make them with "
+         "--bless"},
+    };
+    for (const auto& [arguments, message] : cases) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.exit_code, 1) << arguments;
+        EXPECT_EQ(ran.err, std::string("umbra78: ") + message + "\n");
+        EXPECT_EQ(ran.out, "");
+        EXPECT_EQ(files(), (std::vector<std::string>{"bad.toml", "file", "good.toml"}));
+    }
+    EXPECT_FALSE(fs::exists(folder / "a") || fs::exists(folder / "b"));  // no empty folder either
+}
+
+TEST_F(Program, AFullDiskIsAFailureToo) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    EXPECT_EQ(run("settings --json >/dev/full #").exit_code, 1);
+}
+
+TEST_F(Program, EveryHelpHasAnExample) {
+    for (const char* command : {"", "figures ", "render ", "plan ", "animate ", "cycles ",
+                                "trace ", "bands ", "study ", "settings "}) {
+        const Ran ran = run(std::string(command) + "--help");
+        EXPECT_EQ(ran.exit_code, 0);
+        EXPECT_EQ(ran.err, "");
+        EXPECT_NE(ran.out.find("\nExample:\n  umbra78 "), std::string::npos) << ran.out;
+    }
+    const std::string help = run("render --help").out;
+    for (const shadow::Setting& s : shadow::settings_table())
+        EXPECT_NE(help.find("\n  " + std::string(s.key) + " "), std::string::npos) << s.key;
+}
+
+TEST_F(Program, RenderWritesThePictureAndTheBuffers) {
+    const Ran ran =
+        run("render --set density=0.55 " + figures_scene_file + " --out a.png --buffers b --json");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+    const json report = parse_json(ran.out);
+    const FigureSet figures;
+    EXPECT_EQ(report["hashes"]["picture"], figures.figures()[5].hash);
+    EXPECT_EQ(report["hashes"]["mask"], figures.figures()[3].hash);
+    for (const char* key : {"scene", "picture", "size_px", "patches", "frame_bytes", "hashes",
+                            "error", "bias", "machine", "host_ms", "settings", "warnings"})
+        EXPECT_TRUE(report.contains(key)) << key;
+    for (const shadow::Setting& s : shadow::settings_table())
+        EXPECT_TRUE(report["settings"].contains(s.key)) << s.key;
+    EXPECT_EQ(report["bias"]["quanta"], 192);
+    EXPECT_EQ(report["bias"]["texels"], 1.5);
+    EXPECT_LT(report["error"]["false_shadow"], 0.01);
+
+    std::vector<std::string> expected{"a.png"};
+    for (const Plane plane : all_planes)
+        for (const char* end : {".pgm", ".npy"})
+            expected.push_back(std::string("b/") + name_of(plane) + end);
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(files(), expected);
+    for (const Buffer& buffer : figures.buffers()) {
+        if (buffer.maxval == 255) continue;
+        const Pgm read = read_pgm(folder / "b" / (buffer.name + ".pgm"));
+        EXPECT_EQ(read.maxval, 65535);
+        EXPECT_FALSE(compare(read, buffer)) << buffer.name;
+        EXPECT_EQ(fs::file_size(folder / "b" / (buffer.name + ".npy")), 128u + 2 * 512 * 512);
+    }
+    EXPECT_EQ(fs::file_size(folder / "b/mask.npy"), 128u + 512 * 512);
+}
+
+TEST_F(Program, RenderNamesThePictureAfterTheScene) {
+    write("one.toml", "[light]\nazimuth = 30\nextent = 0.5\n"
+                      "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n");
+    const Ran ran = run("render one.toml --set xy_bits=6 --set z_bits=20");
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.err, "umbra78: warning: one.toml: 32 of 32 patches reach out of the light's "
+                       "picture and may cast no shadow; light.extent = 1.03458 holds them, or "
+                       "leave it out\n");
+    EXPECT_NE(ran.out.find("u32be:64x64:fnv1a64:"), std::string::npos);
+    EXPECT_EQ(files(), (std::vector<std::string>{"one.png", "one.toml"}));
+}
+
+TEST_F(Program, ASceneWithFreePatchesHasErrorsIfBuiltWithEmbree) {
+    const Ran ran = run("render " UMBRA78_SOURCE_DIR "/tools/scenes/lamp.toml --set xy_bits=7");
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.err, "");
+    EXPECT_NE(ran.out.find(traces_patches() ? "error       false shadow "
+                                            : "error       n/a (free patches: built without "
+                                              "Embree; install libembree-dev and build again)\n"),
+              std::string::npos) << ran.out;
+}
+
+TEST_F(Program, SettingsAreTheTable) {
+    const std::string markdown = run("settings").out;
+    const json table = parse_json(run("settings --json").out);
+    ASSERT_EQ(table["settings"].size(), shadow::settings_table().size());
+    for (std::size_t k = 0; k < table["settings"].size(); ++k) {
+        const shadow::Setting& s = shadow::settings_table()[k];
+        const json& row = table["settings"][k];
+        EXPECT_EQ(row["key"], s.key);
+        EXPECT_EQ(row["meaning"], s.meaning);
+        EXPECT_EQ(row.contains("choices"), s.kind == shadow::SettingKind::choice);
+        EXPECT_NE(markdown.find("| `" + std::string(s.key) + "` "), std::string::npos);
+    }
+    EXPECT_EQ(table["profiles"].size(), shadow::profiles().size());
+}
+
+TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
+    const std::string scene = std::string(UMBRA78_SOURCE_DIR) + "/tools/scenes/figures.toml";
+    const json one = parse_json(run("cycles " + scene + " --json").out)["ledger"];
+    EXPECT_EQ(one["transformation"]["cycles"], 580249);
+    EXPECT_EQ(one["transformation"]["bottleneck"], "fetch");
+    EXPECT_EQ(one["phases"].size(), 5u);
+    const json single =
+        parse_json(run("cycles " + scene + " --profile affine16x1 --json").out)["ledger"];
+    EXPECT_EQ(single["transformation"]["bottleneck"], "multiply");
+    EXPECT_GT(single["frame_cycles"]["side_by_side"], one["frame_cycles"]["side_by_side"]);
+    const json all = parse_json(run("cycles " + scene + " --all --json").out)["profiles"];
+    EXPECT_EQ(all.size(), shadow::profiles().size());
+    EXPECT_NE(run("cycles " + scene).out.find("roughly twice"), std::string::npos);
+    const auto both = run("cycles " + scene + " --all --profile affine16");
+    EXPECT_EQ(both.exit_code, 2);
+}
+
+TEST_F(Program, TraceTellsAPixelsWords) {
+    const std::string pixel = "trace " + figures_scene_file + " --pixel 115,180 ";
+    const Ran ran = run(pixel + "--vcd a.vcd --cycles 20 --waterfall");
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find(": pixel (115, 180): in shadow, cycles "), std::string::npos);
+    EXPECT_NE(ran.out.find("  482146860   114.95276927947998046875  Q12.22  "), std::string::npos)
+        << ran.out;
+    EXPECT_NE(ran.out.find("\n1  pixel (115, 180): leaves the reader"), std::string::npos);
+    EXPECT_EQ(files(), (std::vector<std::string>{"a.vcd"}));
+    const json words = parse_json(run(pixel + "--json").out)["words"];
+    EXPECT_GT(words.size(), 80u);
+    const Ran outside = run("trace " + figures_scene_file + " --pixel 0,512");
+    EXPECT_EQ(outside.exit_code, 1);
+    EXPECT_EQ(outside.err, "umbra78: pixel 0,512 is not in the frame of 512 x 512 pixels; give x "
+                           "and y of 0 .. 511\n");
+}
+
+TEST_F(Program, BandsHasARowForEachReading) {
+    const json rows = parse_json(run("bands --json").out);
+    ASSERT_EQ(rows.size(), 16u);
+    for (const json& row : rows) {
+        EXPECT_EQ(row["right_edge_lit"], row["azimuth"] > 0);
+        EXPECT_EQ(row["false_shadow_limb_to_line"].size(), 4u);
+        EXPECT_FALSE(row["band_left_of_line"]);  // no reading fits the whole sentence
+    }
+    EXPECT_TRUE(rows[0]["greatest_at_line"]);
+}
+
+}  // namespace
+}  // namespace umbra78::tools

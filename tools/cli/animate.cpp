@@ -1,0 +1,233 @@
+// umbra78 animate: a sequence of pictures as the light or the observer goes round the scene.
+#include "tools/cli/command_line.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/io/interruptible.hpp"
+#include "tools/render/frame_manifest.hpp"
+#include "tools/render/plan_words.hpp"
+#include "tools/render/report.hpp"
+#include "tools/scene/azimuth_sweep.hpp"
+#include "tools/scene/toml_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <chrono>
+#include <memory>
+#include <set>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string scene, out, light, observer;
+    std::vector<std::string> set;
+    int frames = 0;
+    bool json = false;
+};
+
+std::vector<AzimuthSweep> read_sweeps(const Options& options) {
+    std::vector<AzimuthSweep> sweeps;
+    const auto add = [&](const char* view, const std::string& text) {
+        if (text.empty()) return;
+        sweeps.push_back(read_sweep(view, text));
+        for (const std::string& set : options.set)
+            if (parse_override(set).key == fmt::format("{}.azimuth", view))
+                throw SceneError(fmt::format("--set {}: --{} sets it, too; leave one out", set,
+                                             view));
+    };
+    add("light", options.light);
+    add("observer", options.observer);
+    if (sweeps.empty()) throw SceneError("nothing moves; give --light A:B, --observer A:B or both");
+    return sweeps;
+}
+
+bool has_point_light(const Options& options) try {
+    return load_scene(options.scene, options.set).light.projection ==
+           raster::Projection::perspective;
+} catch (const SceneError&) {
+    return false;
+}
+
+class Sequence {
+public:
+    explicit Sequence(const Options& options)
+        : options_(options), sweeps_(read_sweeps(options)),
+          folder_(options.out.empty() ? Path(options.scene).stem() : Path(options.out)),
+          scene_(load(1)), old_(read_manifest(folder_)) {}
+
+    void run();
+    void print_summary() const;
+    ordered_json to_json() const;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    // As --set would have it, so that a picture is the one `render` makes.
+    std::unique_ptr<LoadedScene> load(int frame) const {
+        std::vector<std::string> set = options_.set;
+        for (const AzimuthSweep& s : sweeps_) set.push_back(s.override_at(frame, options_.frames));
+        try {
+            return std::make_unique<LoadedScene>(load_scene(options_.scene, set));
+        } catch (const SceneError&) {
+            if (!options_.light.empty() && has_point_light(options_))
+                throw SceneError(fmt::format(
+                    "--light {}: the light of {} is given by its position and has no azimuth; "
+                    "move the observer, or give the light kind = \"directional\"",
+                    options_.light, options_.scene));
+            throw;
+        }
+    }
+    void warn();
+    void draw(int frame);
+    void store(const std::string& file, const std::string& inputs);
+    void report(int frame, const ordered_json& row) const;
+    void show_progress(int frame) const;
+
+    const Options& options_;
+    std::vector<AzimuthSweep> sweeps_;
+    Path folder_;
+    std::unique_ptr<LoadedScene> scene_;  // of the frame at hand
+    std::unique_ptr<LoadedScene> drawn_;  // of what the job holds: its spans must live
+    std::unique_ptr<RenderJob> job_;
+    Manifest old_, manifest_;
+    std::set<std::string> warned_;
+    ordered_json rows_ = ordered_json::array();
+    int drawn_frames_ = 0;
+    Clock::time_point start_ = Clock::now();
+};
+
+void Sequence::store(const std::string& file, const std::string& inputs) {
+    FileSet files;
+    files.make_folder(folder_);
+    const Buffer picture = job_->buffer(Plane::picture);
+    write_png_gray(folder_ / file, picture.size_px, picture.size_px, job_->bytes(Plane::picture),
+                   &files);
+    manifest_.push_back({file, inputs, hash_of(picture)});
+    // Entries of frames to come stay, so that a run cut short loses nothing.
+    Manifest all = manifest_;
+    for (const ManifestEntry& e : old_)
+        if (e.file > file) all.push_back(e);
+    write_manifest(folder_, all, files);
+    files.commit();
+}
+
+// Of what has not been said of a frame before.
+void Sequence::warn() {
+    for (const std::string& warning : scene_->warnings)
+        if (warned_.insert(warning).second)
+            fmt::print(stderr, "umbra78: warning: {}\n", warning);
+}
+
+void Sequence::draw(int frame) {
+    const auto start = Clock::now();
+    if (frame > 1) scene_ = load(frame);
+    warn();
+    const std::string file = fmt::format("frame_{:04}.png", frame), inputs = hash_inputs(*scene_);
+    const ManifestEntry* there = find_drawn(old_, folder_, file, inputs);
+    ordered_json& row = rows_.emplace_back(ordered_json{{"frame", frame}, {"file", file}});
+    for (const AzimuthSweep& s : sweeps_)
+        row[s.view + "_azimuth"] = s.at(frame, options_.frames);
+    row["drawn"] = there == nullptr;
+    row["kept"] = ordered_json::array();
+    if (there != nullptr) {
+        manifest_.push_back(*there);
+    } else {
+        if (job_) {
+            job_->advance(scene_->view(), scene_->settings);
+        } else {
+            job_ = std::make_unique<RenderJob>(scene_->view(), scene_->settings);
+        }
+        drawn_ = std::move(scene_);
+        job_->render();
+        row["kept"] = kept(job_->plan());
+        store(file, inputs);
+        ++drawn_frames_;
+    }
+    row["picture"] = manifest_.back().picture;
+    row["host_ms"] = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void Sequence::report(int frame, const ordered_json& row) const {
+    std::string text = row["file"];
+    for (const AzimuthSweep& s : sweeps_)
+        text += fmt::format("  {} {}", s.view, s.at(frame, options_.frames));
+    const std::vector<std::string> keys = row["kept"];
+    text += !row["drawn"].get<bool>() ? "  there already"
+            : keys.empty()            ? "  nothing kept"
+                                      : fmt::format("  {}", fmt::join(keys, " "));
+    fmt::print("{}  {:.1f} ms\n", text, row["host_ms"].get<double>());
+}
+
+// On a terminal that does not show the rows.
+void Sequence::show_progress(int frame) const {
+    if (!isatty(STDERR_FILENO) || (!options_.json && isatty(STDOUT_FILENO))) return;
+    fmt::print(stderr, "\rframe {} of {}{}", frame, options_.frames,
+               frame == options_.frames ? "\n" : "");
+}
+
+void Sequence::run() {
+    const Interruptible interruptible;
+    for (int frame = 1; frame <= options_.frames; ++frame) {
+        draw(frame);
+        if (!options_.json) report(frame, rows_.back());
+        show_progress(frame);
+        if (Interruptible::asked() && frame < options_.frames)
+            throw std::runtime_error(fmt::format(
+                "interrupted after frame {} of {}; run the same command again to go on", frame,
+                options_.frames));
+    }
+    // Entries of a longer sequence before this one go.
+    FileSet files;
+    write_manifest(folder_, manifest_, files);
+    files.commit();
+}
+
+ordered_json Sequence::to_json() const {
+    const std::chrono::duration<double, std::milli> ms = Clock::now() - start_;
+    return {{"scene", options_.scene}, {"out", folder_.string()},
+            {"frames", rows_},         {"drawn", drawn_frames_},
+            {"warnings", warned_},     {"total_host_ms", ms.count()}};
+}
+
+void Sequence::print_summary() const {
+    const std::chrono::duration<double> s = Clock::now() - start_;
+    fmt::print("{}: {} frames, {} drawn, {} there already; {:.1f} s in all.\n", folder_.string(),
+               options_.frames, drawn_frames_, options_.frames - drawn_frames_, s.count());
+}
+
+void run(const Options& options) {
+    Sequence sequence(options);
+    sequence.run();
+    if (options.json) {
+        fmt::print("{}", print(sequence.to_json()));
+    } else {
+        sequence.print_summary();
+    }
+}
+
+}  // namespace
+
+void add_animate_command(CLI::App& app, int&) {
+    const auto options = std::make_shared<Options>();
+    Command command(app, "animate",
+                    "Render a sequence: the light or the observer goes round, or both");
+    command.scene(options->scene);
+    command.number("--frames", options->frames, "N", "How many").range(1, 9999).required();
+    command.text("--light", options->light, "A:B", "The light's azimuth, from A to B degrees");
+    command.text("--observer", options->observer, "A:B", "The observer's, likewise");
+    command.text("--out", options->out, "DIR",
+                 "Folder for frame_0001.png ... and frames.json; default: the scene's name, here. "
+                 "Frames of the same inputs that are there are not drawn again");
+    command.set(options->set);
+    command.json(options->json);
+    command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"
+                   "  umbra78 animate tools/scenes/figures.toml --frames 60 --light -100:80 "
+                   "--out out");
+    command.runs([options] { run(*options); });
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,123 @@
+// umbra78 cycles: where a frame's cycles go, on a machine of the time.
+#include "tools/cli/command_line.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/paper/figure_costs.hpp"
+#include "tools/render/ap120b_report.hpp"
+#include "tools/render/cycle_report.hpp"
+#include "tools/render/profile_costs.hpp"
+#include "tools/render/memory_report.hpp"
+#include "tools/render/report.hpp"
+#include "tools/scene/scene_file.hpp"
+#include "tools/scene/settings_text.hpp"
+#include "tools/watch/vcd.hpp"
+#include "tools/watch/waterfall.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string scene, profile, vcd;
+    std::vector<std::string> set;
+    bool all = false, json = false;
+};
+
+void print_claim(const CostClaim& claim) {
+    fmt::print("the paper's \"roughly twice, plus a fixed transformation\": both views take {:.2f} "
+               "of the observer's,\nthe transformation {:.3f} of it; {:.2f} samples are drawn for "
+               "each visible pixel\n",
+               claim.both_views, claim.transformation, claim.depth_complexity);
+}
+
+// The replay, the waterfall and the dump are of the fixed-point machine's post-process.
+bool is_clocked(const LoadedScene& scene) {
+    return scene.settings.arithmetic == shadow::Arithmetic::fixed &&
+           scene.settings.form == shadow::Form::post_process;
+}
+
+void one_profile(const Options& options, const LoadedScene& scene) {
+    RenderJob job(scene.view(), scene.settings);
+    job.render();
+    if (!options.vcd.empty()) write_vcd(options.vcd, job);
+    const shadow::FrameLedger ledger = job.ledger();
+    const int clock_ns = scene.settings.timing.clock_ns;
+    if (options.json) {
+        ordered_json json{{"scene", options.scene}, {"ledger", to_json(ledger, clock_ns)}};
+        if (is_clocked(scene)) json["memory"] = to_json(job.replay_memory());
+        json["settings"] = settings_json(scene.settings);
+        fmt::print("{}", print(json));
+        return;
+    }
+    fmt::print("{}: {} ns a cycle\n\n{}\n{}\n", options.scene, clock_ns,
+               print_frame(ledger, clock_ns),
+               ledger.on_array ? print(ledger.array, clock_ns)
+                               : print_post_process(ledger.post_process, clock_ns));
+    if (is_clocked(scene))
+        fmt::print("{}\n{}\n", waterfall(job), print_memory(job.replay_memory()));
+    print_claim(cost_claim(ledger));
+}
+
+void all_profiles(const Options& options, const LoadedScene& scene) {
+    const std::vector<ProfileCost> costs = profile_costs(scene);
+    if (options.json) {
+        ordered_json json{{"scene", options.scene}, {"profiles", to_json(costs)}};
+        fmt::print("{}", print(json));
+        return;
+    }
+    fmt::print("{}", profile_table(costs));
+}
+
+// Without a scene: the table the paper could have printed.
+void all_figures(const Options& options) {
+    const auto figures = figure_costs();
+    if (!options.json) {
+        fmt::print("{}", figure_table(figures));
+        return;
+    }
+    ordered_json json = ordered_json::array();
+    for (std::size_t k = 0; k < figures.size(); ++k)
+        json.push_back({{"figure", k + 1}, {"profiles", to_json(figures[k])}});
+    fmt::print("{}", print(json));
+}
+
+void run(const Options& options) {
+    if (options.scene.empty()) {
+        if (!options.profile.empty() || !options.vcd.empty() || !options.set.empty())
+            throw SceneError("--profile, --vcd and --set are for a scene; give its file, too");
+        return all_figures(options);
+    }
+    std::vector<std::string> set = options.set;
+    if (!options.profile.empty()) set.insert(set.begin(), "profile=" + options.profile);
+    const LoadedScene scene = load_scene(options.scene, set);
+    options.all ? all_profiles(options, scene) : one_profile(options, scene);
+}
+
+}  // namespace
+
+void add_cycles_command(CLI::App& app, int&) {
+    const auto options = std::make_shared<Options>();
+    Command command(app, "cycles", "Where a frame's cycles go, on a machine of the time");
+    command.text("scene", options->scene, "FILE",
+                 "Scene file (TOML); without one, figures 1 to 6 by every profile");
+    const Argument profile = command.text("--profile", options->profile, "PROFILE",
+                                          "A machine: see umbra78 settings");
+    const Argument all =
+        command.flag("--all", options->all, "A row for each profile").excludes(profile);
+    command.set(options->set);
+    command
+        .text("--vcd", options->vcd, "FILE",
+              "Write the machine's first cycles as a value change dump, for a waveform viewer "
+              "such as GTKWave")
+        .excludes(all);
+    command.json(options->json);
+    command.footer("Example:\n  umbra78 cycles tools/scenes/figures.toml --profile affine16x1");
+    command.runs([options] { run(*options); });
+}
+
+}  // namespace umbra78::tools

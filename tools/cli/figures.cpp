@@ -1,0 +1,196 @@
+// umbra78 figures: figures 1 to 6, their errors and their cost, held to the goldens.
+#include "tools/cli/command_line.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/io/sheet.hpp"
+#include "tools/paper/figure_studies.hpp"
+#include "tools/paper/goldens.hpp"
+#include "tools/scene/settings_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <map>
+#include <memory>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string out = "out", goldens = UMBRA78_SOURCE_DIR "/tests/goldens";
+    bool check = false, bless = false, json = false;
+};
+
+std::string picture_name(const Figure& figure) { return fmt::format("fig{}.png", figure.number); }
+
+// Of a figure's buffer: "ok", "DIFFERS", or "none" where there is no golden.
+using Statuses = std::map<std::string, std::string>;
+
+Statuses statuses(const FigureSet& set, const Hashes& hashes,
+                  std::span<const GoldenCheck> checks) {
+    Statuses result;
+    for (const Figure& f : set.figures()) {
+        const auto found = hashes.find(f.golden);
+        result[f.golden] = found == hashes.end() ? "none" : "ok";
+        if (found != hashes.end() && found->second != f.hash) result[f.golden] = "DIFFERS";
+    }
+    for (const GoldenCheck& check : checks)
+        if (!check.problem.empty()) result[check.buffer] = "DIFFERS";
+    return result;
+}
+
+using Rate = std::optional<double>;
+Rate false_shadow(const Figure& f) {
+    return f.error ? Rate(f.error->all.false_shadow_rate()) : Rate();
+}
+Rate false_light(const Figure& f) {
+    return f.error ? Rate(f.error->all.false_light_rate()) : Rate();
+}
+
+void write_contact_sheet(const Path& path, const FigureSet& set, FileSet& files) {
+    std::vector<SheetCell> cells;
+    for (const Figure& f : set.figures()) {
+        std::vector<std::string> caption{fmt::format("Fig. {}: {}", f.number, f.shows),
+                                         fmt::format("{:.1f} ms from the scene", f.host_ms)};
+        if (f.error)
+            caption.push_back(fmt::format("false shadow {} %, false light {} %",
+                                          percent(false_shadow(f)), percent(false_light(f))));
+        cells.push_back({set.size_px(), set.size_px(), f.picture, std::move(caption)});
+    }
+    write_sheet(path, cells, {.columns = 3}, &files);
+}
+
+double machine_ms(const FigureSet& set, const Figure& f) {
+    return simulated_ms(f.machine_cycles, set.clock_ns());
+}
+
+ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total_ms) {
+    ordered_json json{{"size_px", set.size_px()}, {"cycle_ns", set.clock_ns()}};
+    for (const Figure& f : set.figures()) {
+        json["figures"].push_back({{"figure", f.number},
+                                   {"shows", f.shows},
+                                   {"file", picture_name(f)},
+                                   {"buffer", f.golden},
+                                   {"hash", f.hash},
+                                   {"golden", goldens.at(f.golden)},
+                                   {"machine_cycles", f.machine_cycles},
+                                   {"simulated_ms", machine_ms(set, f)},
+                                   {"host_ms", f.host_ms},
+                                   {"bias", to_json(f.bias)},
+                                   {"error", to_json(f.error)},
+                                   {"settings", settings_json(f.settings)}});
+    }
+    for (const Buffer& buffer : set.buffers()) json["hashes"][buffer.name] = hash_of(buffer);
+    json["total_host_ms"] = total_ms;
+    return json;
+}
+
+void print_rows(const FigureSet& set, const Statuses& goldens) {
+    fmt::print("{:<4}{:<33}{:<39}{:<8}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "fig", "shows", "hash",
+               "golden", "cycles", "sim ms", "host ms", "FS %", "FL %");
+    for (const Figure& f : set.figures())
+        fmt::print("{:<4}{:<33}{:<39}{:<8}{:>9}{:>8.1f}{:>9.1f}{:>8}{:>8}\n", f.number, f.shows,
+                   f.hash, goldens.at(f.golden), f.machine_cycles, machine_ms(set, f), f.host_ms,
+                   percent(false_shadow(f)), percent(false_light(f)));
+    fmt::print("\ncycles: of the machine, from scene to figure, at {} ns each; host ms: the same "
+               "way here.\nFS, FL: false shadow of the pixels lit in truth, false light of "
+               "those in shadow; mask >= 128 is shadow.\n",
+               set.clock_ns());
+    for (const Figure& f : set.figures()) {
+        if (!f.error || f.number == 6) continue;  // figure 6 is figure 5's mask
+        fmt::print("Fig. {}: bias {}; outside one light texel of the edge FS {} %, FL {} %; "
+                   "{} isolated pixels\n", f.number, print(f.bias),
+                   percent(f.error->outside_band.false_shadow_rate()),
+                   percent(f.error->outside_band.false_light_rate()), f.error->isolated_pixels);
+    }
+}
+
+// Prints what differs and draws pictures of it; true if nothing does.
+bool accept(std::span<const GoldenCheck> checks, const Options& options, int size_px,
+            FileSet& files) {
+    bool all_right = true;
+    for (const GoldenCheck& check : checks) {
+        const Path picture = Path(options.out) / fmt::format("diff_{}.png", check.buffer);
+        if (check.problem.empty()) {
+            std::error_code none;
+            std::filesystem::remove(picture, none);  // of an earlier check
+            continue;
+        }
+        all_right = false;
+        std::string see;
+        if (!check.picture.empty()) {
+            write_png_rgb(picture, size_px, size_px, check.picture, &files);
+            see = fmt::format("; see {}", picture.string());
+        }
+        fmt::print(stderr, "umbra78: {} is not its golden: {}{}\n", check.buffer, check.problem,
+                   see);
+    }
+    return all_right;
+}
+
+void write_pictures(const Path& out, const FigureSet& set, FileSet& files) {
+    for (const Figure& f : set.figures())
+        write_png_gray(out / picture_name(f), set.size_px(), set.size_px(), f.picture, &files);
+    write_contact_sheet(out / "sheet.png", set, files);
+    write_highlights(out / "highlights.png", &files);
+    write_samplings(out / "samplings.png", set, &files);
+    write_array_comparison(out / "ap120b.png", set, &files);
+}
+
+void run(const Options& options, int& exit_code) {
+    const auto start = std::chrono::steady_clock::now();
+    FileSet files;
+    const Path out = options.out;
+    files.make_folder(out);  // before the work, for its error
+    const FigureSet set;
+    const std::vector<Buffer> buffers = set.buffers();
+    const std::vector<GoldenCheck> checks =
+        options.check ? check(options.goldens, buffers) : std::vector<GoldenCheck>{};
+    Hashes hashes = read_hashes(options.goldens);
+
+    if (options.bless) {
+        files.make_folder(options.goldens);
+        bless(options.goldens, buffers, files);
+        for (const Buffer& buffer : buffers) hashes[buffer.name] = hash_of(buffer);
+    }
+    write_pictures(out, set, files);
+    const Statuses goldens = statuses(set, hashes, checks);
+    const bool right = accept(checks, options, set.size_px(), files);
+    exit_code = right ? 0 : 1;
+    const std::chrono::duration<double, std::milli> total =
+        std::chrono::steady_clock::now() - start;
+    const std::string json = print(to_json(set, goldens, total.count()));
+    write_file(out / "figures.json", std::as_bytes(std::span(json)), &files);
+    files.commit();
+
+    if (options.json) {
+        fmt::print("{}", json);
+        return;
+    }
+    print_rows(set, goldens);
+    if (options.bless) fmt::print("Goldens written to {}.\n", options.goldens);
+    if (options.check && right)
+        fmt::print("Every buffer is its golden in {}.\n", options.goldens);
+    fmt::print("{}: fig1.png .. fig6.png, sheet.png, highlights.png, samplings.png, "
+               "ap120b.png, figures.json; {:.0f} ms in all.\n", out.string(), total.count());
+}
+
+}  // namespace
+
+void add_figures_command(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<Options>();
+    Command command(app, "figures", "Draw figures 1 to 6 of Williams 1978");
+    command.text("--out", options->out, "DIR", "Folder for the pictures").default_shown();
+    command.text("--goldens", options->goldens, "DIR", "Folder of the goldens").default_shown();
+    const Argument check = command.flag(
+        "--check", options->check,
+        "Compare every stage's buffer with its golden; exit 1 if one differs");
+    command.flag("--bless", options->bless, "Make what was drawn the goldens").excludes(check);
+    command.flag("--json", options->json, "Print figures.json instead of the table");
+    command.footer("Example:\n  umbra78 figures --out out --check");
+    command.runs([options, &exit_code] { run(*options, exit_code); });
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,81 @@
+// umbra78: the program. Exit code 0: done; 1: it failed, or a golden differs; 2: wrong usage.
+#include "tools/cli/commands.hpp"
+#include "tools/io/suggest.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace {
+
+using namespace umbra78::tools;
+
+// Errors are one line, whatever a file or an argument held.
+int fail(std::string what, int exit_code) {
+    for (char& letter : what)
+        if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
+    fmt::print(stderr, "umbra78: {}\n", what);
+    return exit_code;
+}
+
+// CLI11's error, made one line with a remedy.
+int fail_of_usage(const CLI::App& app, const CLI::ParseError& error) {
+    const CLI::App* chosen = &app;
+    std::string words;
+    while (!chosen->get_subcommands().empty()) {
+        chosen = chosen->get_subcommands().front();
+        words += chosen->get_name() + " ";
+    }
+    const CLI::App& at = *chosen;
+    const std::string help = fmt::format("see umbra78 {}--help", words);
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (unknown.empty()) return fail(fmt::format("{}; {}", error.what(), help), 2);
+
+    std::vector<std::string> names;
+    for (const CLI::App* command : at.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    for (const CLI::Option* option : at.get_options()) names.push_back(option->get_name());
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return fail(fmt::format("unknown argument '{}'; {}; {}", unknown.front(),
+                            suggest(unknown.front(), known), help), 2);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"The shadow machine of Lance Williams' \"Casting Curved Shadows on Curved "
+                 "Surfaces\" (1978), in fixed point and bit for bit."};
+    app.name("umbra78");
+    app.require_subcommand(1);
+    int exit_code = 0;
+    add_figures_command(app, exit_code);
+    add_render_command(app, exit_code);
+    add_plan_command(app, exit_code);
+    add_animate_command(app, exit_code);
+    add_cycles_command(app, exit_code);
+    add_trace_command(app, exit_code);
+    add_bands_command(app, exit_code);
+    add_study_command(app, exit_code);
+    add_settings_command(app, exit_code);
+    app.footer("Example:\n  umbra78 figures --out out");  // last: subcommands would inherit it
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() != 0) return fail_of_usage(app, error);
+        app.exit(error);  // --help
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory; lower xy_bits or z_bits", 1);
+    } catch (const std::exception& error) {
+        return fail(error.what(), 1);
+    }
+    if (std::fflush(stdout) != 0)
+        return fail("cannot print: " + std::generic_category().message(errno), 1);
+    return exit_code;
+}

@@ -1,0 +1,157 @@
+// umbra78 plan: what a frame of a scene needs, what is left out, why, and the cycles that saves.
+#include "tools/cli/command_line.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/render/plan_words.hpp"
+#include "tools/render/report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+using shadow::Omission;
+using shadow::FrameStage;
+
+struct Options {
+    std::string scene;
+    std::vector<std::string> set;
+    bool json = false;
+};
+
+// The frame is drawn, since some counts are not known before.
+struct Planned {
+    LoadedScene scene;
+    RenderJob job;
+    shadow::FrameLedger ledger;
+
+    explicit Planned(const Options& options)
+        : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
+        if (scene.settings.arithmetic == shadow::Arithmetic::ap120b)
+            throw SceneError("a plan is the fixed-point machine's; give --set arithmetic=fixed");
+        job.render();
+        ledger = job.ledger();
+    }
+    const shadow::FramePlan& plan() const { return job.plan(); }
+    shadow::DrawnFrame drawn() const { return {job.inputs(), ledger}; }
+    shadow::Saving saving(Omission o) const { return shadow::saving(o, plan(), drawn()); }
+    shadow::StageCycles cycles() const { return cycles_of(plan(), drawn()); }
+    std::uint64_t everything() const { return total(cycles_of(shadow::FramePlan{}, drawn())); }
+};
+
+template <class Visit>
+void for_omissions(const Planned& planned, bool left_out, Visit visit) {
+    for (std::size_t k = 0; k < shadow::omission_count; ++k) {
+        const auto o = static_cast<Omission>(k);
+        if (planned.plan().leaves_out(o) == left_out) visit(o, planned.plan().at(o));
+    }
+}
+
+ordered_json to_json(const Options& options, const Planned& planned) {
+    const shadow::OutsidePatches& outside = planned.plan().outside;
+    ordered_json json{{"scene", options.scene},
+                      {"size_px", planned.scene.settings.machine.size_px()},
+                      {"patches", planned.scene.patches.size()},
+                      {"patches_outside_light", outside.light},
+                      {"patches_outside_observer", outside.observer},
+                      {"visible_pixels", planned.ledger.visible}};
+    const shadow::StageCycles cycles = planned.cycles();
+    for (std::size_t k = 0; k < shadow::stage_count; ++k)
+        json["stages"].push_back({{"stage", key_of(static_cast<FrameStage>(k))},
+                                  {"cycles", cycles[k].total()},
+                                  {"transform", cycles[k].transform},
+                                  {"divide", cycles[k].divide},
+                                  {"noise", cycles[k].noise},
+                                  {"store", cycles[k].store},
+                                  {"operations", cycles[k].operations}});
+    for (std::size_t k = 0; k < shadow::omission_count; ++k) {
+        const auto o = static_cast<Omission>(k);
+        const shadow::Saving s = planned.saving(o);
+        ordered_json& row = json["omissions"].emplace_back();
+        row["omission"] = key_of(o);
+        row["left_out"] = planned.plan().leaves_out(o);
+        row["why"] = explain(planned.plan().at(o).reason);
+        row["saved_cycles"] = s.cycles;
+        row["after_drawing"] = s.after_drawing;
+    }
+    json["cycles"] = total(cycles);
+    json["cycles_of_everything"] = planned.everything();
+    json["saved_cycles"] = planned.everything() - total(cycles);
+    json["cycle_ns"] = planned.scene.settings.timing.clock_ns;
+    json["warnings"] = planned.scene.warnings;
+    return json;
+}
+
+void print_stages(const Planned& planned) {
+    fmt::print("{:<20}{:>12}{:>12}{:>12}{:>12}{:>14}{:>14}\n", "cycles of", "transform", "divide",
+               "noise", "store", "operations", "in all");
+    const shadow::StageCycles cycles = planned.cycles();
+    for (std::size_t k = 0; k < shadow::stage_count; ++k) {
+        const shadow::UnitCycles& c = cycles[k];
+        fmt::print("{:<20}", name_of(static_cast<FrameStage>(k)));
+        for (const std::uint64_t n : {c.transform, c.divide, c.noise, c.store})
+            fmt::print("{:>12}", n == 0 ? "-" : grouped(n));
+        fmt::print("{:>14}", c.operations == 0 ? "-" : grouped(c.operations));
+        fmt::print("{:>14}\n", c.total() == 0 ? "left out" : grouped(c.total()));
+    }
+}
+
+void print_rows(const Options& options, const Planned& planned) {
+    const int size = planned.scene.settings.machine.size_px();
+    const shadow::OutsidePatches& outside = planned.plan().outside;
+    fmt::print("{}: {} x {} pixels, {} of them visible; {} patches, {} outside the light's view, "
+               "{} outside the observer's\n\n",
+               options.scene, size, size, grouped(planned.ledger.visible),
+               planned.scene.patches.size(), outside.light, outside.observer);
+    print_stages(planned);
+    fmt::print("\n{:<30}{:>12}   {}\n", "left out", "cycles", "because");
+    bool starred = false;
+    for_omissions(planned, true, [&](Omission o, const shadow::Decision& d) {
+        const shadow::Saving s = planned.saving(o);
+        starred |= s.after_drawing;
+        fmt::print("{:<30}{:>12}{}  {}\n", name_of(o), grouped(s.cycles),
+                   s.after_drawing ? "*" : " ", explain(d.reason));
+    });
+    fmt::print("\n{:<45}{}\n", "needed", "because");
+    for_omissions(planned, false, [&](Omission o, const shadow::Decision& d) {
+        fmt::print("{:<45}{}\n", name_of(o), explain(d.reason));
+    });
+    const std::uint64_t left = total(planned.cycles()), everything = planned.everything();
+    const int ns = planned.scene.settings.timing.clock_ns;
+    fmt::print("\nIn all {} unit cycles instead of {}; at {} ns a cycle, one unit after the other, "
+               "{:.1f} ms instead of {:.1f}.\n",
+               grouped(left), grouped(everything), ns, simulated_ms(left, ns),
+               simulated_ms(everything, ns));
+    if (starred) fmt::print("*: the count is known after drawing.\n");
+}
+
+void run(const Options& options) {
+    const Planned planned(options);
+    for (const std::string& warning : planned.scene.warnings)
+        fmt::print(stderr, "umbra78: warning: {}\n", warning);
+    if (options.json) {
+        fmt::print("{}", print(to_json(options, planned)));
+    } else {
+        print_rows(options, planned);
+    }
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, int&) {
+    const auto options = std::make_shared<Options>();
+    Command command(app, "plan",
+                    "Print what a frame needs, what is left out, why, and the cycles that saves");
+    command.scene(options->scene);
+    command.set(options->set);
+    command.json(options->json);
+    command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"
+                   "  umbra78 plan tools/scenes/figures.toml --set dither=none");
+    command.runs([options] { run(*options); });
+}
+
+}  // namespace umbra78::tools

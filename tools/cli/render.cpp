@@ -1,0 +1,155 @@
+// umbra78 render: a scene file to a picture, its buffers, and what they cost.
+#include "tools/cli/command_line.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/render/cycle_report.hpp"
+#include "tools/render/report.hpp"
+#include "tools/scene/settings_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string scene, out, buffers;
+    std::vector<std::string> set;
+    bool json = false, no_truth = false;
+};
+
+struct Rendered {
+    LoadedScene scene;
+    RenderJob job;
+    std::optional<ShadowReport> error;
+
+    explicit Rendered(const Options& options)
+        : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
+        job.render();
+        if (options.no_truth) return;
+        const std::optional<SceneTruth> truth = trace(scene);
+        if (!truth) return;
+        const std::vector<std::uint8_t> visible = job.visible();
+        error = report(*truth, {job.bytes(Plane::filtered), visible},
+                       widened(light_texel_band(*truth), *truth, scene.settings));
+    }
+};
+
+Path picture_path(const Options& options) {
+    return options.out.empty() ? Path(options.scene).stem().concat(".png") : Path(options.out);
+}
+
+// All files, or none.
+void write_files(const Options& options, const Rendered& rendered) {
+    FileSet files;
+    const Buffer picture = rendered.job.buffer(Plane::picture);
+    write_png_gray(picture_path(options), picture.size_px, picture.size_px,
+                   rendered.job.bytes(Plane::picture), &files);
+    if (!options.buffers.empty()) {
+        const Path folder = options.buffers;
+        files.make_folder(folder);
+        for (const Plane plane : all_planes) {
+            const Buffer buffer = rendered.job.buffer(plane);
+            write_pgm(folder / (buffer.name + ".pgm"), buffer, &files);
+            write_npy(folder / (buffer.name + ".npy"), buffer, &files);
+        }
+    }
+    files.commit();
+}
+
+ordered_json to_json(const Options& options, const Rendered& rendered) {
+    const RenderJob& job = rendered.job;
+    ordered_json json{{"scene", options.scene},
+                      {"picture", picture_path(options).string()},
+                      {"size_px", rendered.scene.settings.machine.size_px()},
+                      {"patches", rendered.scene.patches.size()},
+                      {"frame_bytes", job.frame_bytes()}};
+    for (const Plane plane : all_planes)
+        json["hashes"][name_of(plane)] = hash_of(job.buffer(plane));
+    json["error"] = to_json(rendered.error);
+    json["bias"] = to_json(bias_report(rendered.scene.light, job));
+    json["machine"] = tools::to_json(job.ledger(), rendered.scene.settings.timing.clock_ns);
+    json["host_ms"] = to_json(job.times());
+    json["settings"] = settings_json(rendered.scene.settings);
+    json["warnings"] = rendered.scene.warnings;
+    return json;
+}
+
+void print_rows(const Options& options, const Rendered& rendered) {
+    const RenderJob& job = rendered.job;
+    const int size = rendered.scene.settings.machine.size_px();
+    fmt::print("{}: {} x {} pixels, {} patches\n", picture_path(options).string(), size, size,
+               rendered.scene.patches.size());
+    for (const Plane plane : all_planes)
+        fmt::print("{:<11} {}\n", name_of(plane), hash_of(job.buffer(plane)));
+    fmt::print("bias        {}\n", print(bias_report(rendered.scene.light, job)));
+    const shadow::FrameLedger ledger = job.ledger();
+    const int clock_ns = rendered.scene.settings.timing.clock_ns;
+    fmt::print("machine     {:.1f} ms at {} ns a cycle, {:.1f} of them for the transformation; see "
+               "umbra78 cycles\n",
+               simulated_ms(ledger.total(true), clock_ns), clock_ns,
+               simulated_ms(ledger.transformation(true), clock_ns));
+    const StageTimes& t = job.times();
+    fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
+               "{:.1f}\n",
+               t.total_ms(), t.light_ms, t.observer_ms, t.post_process_ms, t.filters_ms);
+    if (!rendered.error) {
+        fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth"
+                                                : "free patches: built without Embree; "
+                                                  "install libembree-dev and build again");
+        return;
+    }
+    const ShadowReport& error = *rendered.error;
+    fmt::print("error       false shadow {} %, false light {} %; outside one light texel of the "
+               "edge {} %, {} %; {} isolated pixels\n",
+               percent(error.all.false_shadow_rate()), percent(error.all.false_light_rate()),
+               percent(error.outside_band.false_shadow_rate()),
+               percent(error.outside_band.false_light_rate()), error.isolated_pixels);
+    if (!std::isnan(error.edge.mean))
+        fmt::print("edge        {:.2f} pixels from the true one in the mean, {:.1f} at most\n",
+                   error.edge.mean, error.edge.hausdorff);
+    if (error.tessellation_error)
+        fmt::print("truth       traced by Embree: {} % of the pixels answer otherwise with half as "
+                   "many triangles a side\n", percent(error.tessellation_error));
+}
+
+void run(const Options& options) {
+    const Rendered rendered(options);
+    for (const std::string& warning : rendered.scene.warnings)
+        fmt::print(stderr, "umbra78: warning: {}\n", warning);
+    write_files(options, rendered);
+    if (options.json) {
+        fmt::print("{}", print(to_json(options, rendered)));
+    } else {
+        print_rows(options, rendered);
+    }
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, int&) {
+    const auto options = std::make_shared<Options>();
+    Command command(app, "render", "Render a scene file");
+    command.scene(options->scene);
+    command.text("--out", options->out, "FILE",
+                 "The picture; default: the scene's name with .png, here");
+    command.text("--buffers", options->buffers, "DIR",
+                 "Folder for the raw buffers, as PGM and NPY: Z of both views, intensity, mask "
+                 "before and after each filter, picture");
+    command.set(options->set);
+    command.flag("--no-truth", options->no_truth, "Leave out the errors against exact truth");
+    command.json(options->json);
+    command.footer([] {
+        return settings_help() +
+               "\nExample:\n  umbra78 render tools/scenes/figures.toml --set lookup=nearest "
+               "--set bias=64 --buffers out";
+    });
+    command.runs([options] { run(*options); });
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,163 @@
+// umbra78 study: a question put to the machine as a table of cases.
+#include "tools/cli/command_line.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/cli/study_list.hpp"
+#include "tools/render/report.hpp"
+#include "tools/study/study_files.hpp"
+#include "tools/study/vary.hpp"
+#include "tools/study/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+namespace umbra78::tools {
+namespace {
+
+using namespace study;
+
+struct Options {
+    std::string scene, out, shard;
+    std::vector<std::string> vary, parts;
+    int jobs = 0;
+    std::uint64_t sample = 8;
+    bool quick = false, automatic = false, no_host_times = false, json = false;
+};
+
+Shard read_shard(const std::string& text) {
+    Shard shard{0, 0};
+    int length = 0;
+    if (std::sscanf(text.c_str(), "%d/%d%n", &shard.i, &shard.n, &length) != 2 ||
+        length != static_cast<int>(text.size()) || shard.i < 1 || shard.i > shard.n)
+        throw std::runtime_error(fmt::format("--shard {}: it is no part of a whole; write i/n as "
+                                             "in 1/3, 2/3, 3/3", text));
+    return shard;
+}
+
+Asked asked_of(const Study& study, const Options& options) {
+    Request request;
+    if (!options.scene.empty()) {
+        request.scene = load_scene(options.scene, {});  // for its errors
+        request.scene_file = options.scene;
+        std::ifstream file(options.scene, std::ios::binary);
+        request.scene_text.assign(std::istreambuf_iterator<char>(file), {});
+    }
+    for (const std::string& vary : options.vary) request.vary.push_back(parse_vary(vary));
+    request.quick = options.quick;
+    request.automatic = options.automatic;
+    request.host_times = !options.no_host_times;
+    return ask(study, std::move(request));
+}
+
+void print_done(const StudyDone& done, bool json) {
+    if (done.failed > 0)
+        fmt::print(stderr, "umbra78: warning: {} of {} cases failed; the first: {}\n", done.failed,
+                   done.rows, done.first_failure);
+    if (done.plots_missing)
+        fmt::print(stderr, "umbra78: warning: there are no plots, for gnuplot is missing; install "
+                           "it with: sudo apt-get install gnuplot-nox\n");
+    if (json) {
+        fmt::print("{}", tools::print(done.summary));
+        return;
+    }
+    for (const std::string& paragraph : done.paragraphs) fmt::print("{}\n\n", paragraph);
+    for (const std::string& file : done.files) fmt::print("{}\n", file);
+}
+
+void run(const Study& study, const Options& options) {
+    RunOptions how{options.jobs, {}};
+    if (!options.shard.empty()) how.shard = read_shard(options.shard);
+    const Asked asked = asked_of(study, options);
+    for (const std::string& warning : asked.request.scene.warnings)
+        fmt::print(stderr, "umbra78: warning: {}\n", warning);
+    const Path folder = options.out.empty() ? Path("out") / study.name() : Path(options.out);
+    print_done(run_study(asked, how, folder, !options.shard.empty()), options.json);
+}
+
+void add_study(const Command& above, const Study& study) {
+    const auto options = std::make_shared<Options>();
+    const std::string name(study.name());
+    Command command(above, name, std::string(study.meaning()));
+    if (study.takes().scene) {
+        command.text("scene", options->scene, "FILE",
+                     "Scene file (TOML); without one, the paper's scene");
+        command.texts("--vary", options->vary, "KEY=VALUES",
+                      "key=first:last:step or key=value,value: a setting, profile, observer.KEY or "
+                      "light.KEY; in place of the study's values of that key, or crossed with all");
+    }
+    command.text("--out", options->out, "DIR", "Folder for the files; default: out/" + name);
+    command.flag("--quick", options->quick, "A small grid: seconds");
+    command.number("--jobs", options->jobs, "N", "Cases at a time; default: as many as cores")
+        .range(1, 1024);
+    command.text("--shard", options->shard, "I/N",
+                 "Run the i-th of n parts, for umbra78 study merge, on this computer or others");
+    if (study.takes().automatic)
+        command.flag("--auto", options->automatic, "Print the answer for the scene");
+    command.flag("--no-host-times", options->no_host_times,
+                 "Leave out the columns that end in _host_ms: the same files every time");
+    command.flag("--json", options->json, "Print the summary as JSON instead of text");
+    command.footer(fmt::format("{1}Example:\n  umbra78 study {0} --quick --out out/{0}", name,
+                               study.takes().scene ? "" : "Its cases are its own: it takes no "
+                                                          "scene and no --vary.\n\n"));
+    command.runs([options, &study] { run(study, *options); });
+}
+
+void add_merge(const Command& above) {
+    const auto options = std::make_shared<Options>();
+    Command command(above, "merge", "Make the files of a study from its parts");
+    command.text("out", options->out, "OUT", "Folder for the files").required();
+    command.texts("parts", options->parts, "PART", "NAME.part-1-of-3.jsonl ..., all of them")
+        .required();
+    command.flag("--json", options->json, "Print the summary as JSON instead of text");
+    command.footer("Example:\n"
+                   "  parallel umbra78 study error-time --quick --out parts --shard {}/3 ::: 1 2 "
+                   "3\n  umbra78 study merge out/error-time parts/*.jsonl");
+    command.runs([options] {
+        print_done(merge_parts(options->parts, options->out, studies()), options->json);
+    });
+}
+
+void add_verify(const Command& above, int& exit_code) {
+    const auto options = std::make_shared<Options>();
+    Command command(above, "verify",
+                    "Render rows of a study's CSV again, and compare every figure but host times");
+    command.text("csv", options->scene, "FILE.csv", "The CSV; its NAME.json beside it").required();
+    command.number("--sample", options->sample, "N", "How many rows, by a fixed seed")
+        .range(1, 1 << 20)
+        .default_shown();
+    command.footer("Example:\n  umbra78 study verify out/error-time/error-time.csv --sample 20");
+    command.runs([options, &exit_code] {
+        const Verified verified = verify(options->scene, options->sample, studies());
+        for (const std::string& difference : verified.differences) fmt::print("{}\n", difference);
+        if (!verified.differences.empty()) {
+            exit_code = 1;
+        } else {
+            fmt::print("{}: {} of {} rows rendered again, no difference{}\n", options->scene,
+                       verified.sampled, verified.rows,
+                       verified.sampled < verified.rows
+                           ? fmt::format("; --sample {} for all", verified.rows) : "");
+        }
+    });
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, int& exit_code) {
+    Command command(app, "study",
+                    "Run a study: a grid of settings, measured, plotted and told; alone, list "
+                    "them");
+    for (const auto& each : studies()) add_study(command, *each);
+    add_merge(command);
+    add_verify(command, exit_code);
+    command.needs_no_command_below();
+    command.footer("Example:\n  umbra78 study error-time --quick");
+    command.runs([command] {
+        if (command.has_command_below()) return;
+        for (const auto& each : studies()) fmt::print("{:<12} {}\n", each->name(), each->meaning());
+    });
+}
+
+}  // namespace umbra78::tools

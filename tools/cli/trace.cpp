@@ -1,0 +1,95 @@
+// umbra78 trace: one pixel's way through the post-process, every word and the cycle it came in.
+#include "tools/cli/command_line.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/render/report.hpp"
+#include "tools/scene/scene_file.hpp"
+#include "tools/scene/settings_text.hpp"
+#include "tools/watch/pixel_trace.hpp"
+#include "tools/watch/vcd.hpp"
+#include "tools/watch/waterfall.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+
+namespace umbra78::tools {
+namespace {
+
+struct Options {
+    std::string scene, pixel, vcd;
+    std::vector<std::string> set;
+    std::uint64_t cycles = VcdOptions{}.cycles;
+    bool json = false, waterfall = false;
+};
+
+// "80,180"
+std::optional<Pixel> parse_pixel(std::string_view text) {
+    Pixel pixel{};
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, pixel.x);
+    if (x.ec != std::errc{} || x.ptr == end || *x.ptr != ',') return {};
+    const auto y = std::from_chars(x.ptr + 1, end, pixel.y);
+    if (y.ec != std::errc{} || y.ptr != end) return {};
+    return pixel;
+}
+
+std::string check_pixel(const std::string& text) {
+    return parse_pixel(text) ? "" : fmt::format("'{}' is no pixel; write x,y as in 80,180", text);
+}
+
+void run(const Options& options) {
+    const LoadedScene scene = load_scene(options.scene, options.set);
+    RenderJob job(scene.view(), scene.settings);
+    job.render();
+    const PixelTrace trace = trace_pixel(job, *parse_pixel(options.pixel));
+    if (!options.vcd.empty()) {
+        VcdOptions window;
+        window.cycles = options.cycles;
+        window.from = trace.first_cycle;
+        write_vcd(options.vcd, job, window);
+    }
+    if (options.json) {
+        nlohmann::ordered_json json{{"scene", options.scene}};
+        json.update(to_json(trace));
+        json["settings"] = settings_json(scene.settings);
+        fmt::print("{}", print(json));
+        return;
+    }
+    fmt::print("{}: pixel ({}, {}): {}\n\n{}", options.scene, trace.pixel.x, trace.pixel.y,
+               summary(trace), to_text(trace.lines));
+    if (!options.waterfall) return;
+    WaterfallOptions window;
+    window.from = trace.first_cycle;
+    fmt::print("\n{}", waterfall(job, window));
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& app, int&) {
+    const auto options = std::make_shared<Options>();
+    Command command(app, "trace",
+                    "Print every word of one pixel's way through the post-process");
+    command.scene(options->scene);
+    command.text("--pixel", options->pixel, "X,Y", "The pixel, x,y from the upper left corner")
+        .required()
+        .checked(check_pixel);
+    command.set(options->set);
+    command.text("--vcd", options->vcd, "FILE",
+                 "Write the machine's signals from the pixel's first cycle on, as a value change "
+                 "dump");
+    command.number("--cycles", options->cycles, "N", "Cycles of --vcd")
+        .range(1, 1 << 20)
+        .default_shown();
+    const Argument waterfall = command.flag(
+        "--waterfall", options->waterfall, "Print the pixel and the five after it, stage by stage");
+    command.json(options->json).excludes(waterfall);
+    command.footer("Settings are those of umbra78 render --help.\n"
+                   "\nExample:\n  umbra78 trace tools/scenes/figures.toml --pixel 80,180 "
+                   "--set lookup=nearest --set dither=none --set bias=64");
+    command.runs([options] { run(*options); });
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,55 @@
+// A frame's buffers by name: their hashes, their files, and the first place where two differ.
+//
+// A hash is FNV-1a-64 over the values, row by row from the top, high byte first, with the format
+// in its name: "u16be:512x512:fnv1a64:0123456789abcdef". Z is u16be up to 16 bits, else u32be;
+// everything else is u8.
+#pragma once
+
+#include "tools/io/files.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+
+namespace umbra78::tools {
+
+using BufferValues = std::variant<std::span<const std::uint8_t>, std::span<const std::uint16_t>,
+                                  std::span<const std::uint32_t>>;
+
+// size_px * size_px values, 0 .. maxval; the memory is the frame's.
+struct Buffer {
+    std::string name;
+    int size_px;
+    std::uint32_t maxval;
+    BufferValues values;
+
+    std::uint32_t at(std::size_t index) const {
+        return std::visit([index](auto v) -> std::uint32_t { return v[index]; }, values);
+    }
+    std::size_t pixels() const { return static_cast<std::size_t>(size_px) * size_px; }
+};
+
+std::string hash_of(const Buffer&);
+
+// PGM of one byte a value up to maxval 255, else of two. Z of more than 16 bits keeps its upper
+// 16; NPY keeps everything.
+void write_pgm(const Path&, const Buffer&, FileSet* set = nullptr);
+void write_npy(const Path&, const Buffer&, FileSet* set = nullptr);
+
+// Where a buffer is not what was expected.
+struct Difference {
+    int x, y;  // the first in reading order
+    std::uint32_t expected, actual;
+    std::size_t pixels;  // that differ
+};
+std::optional<Difference> compare(const Pgm& expected, const Buffer& actual);
+
+// The buffer in gray, the pixels that differ in red; rgb, three bytes a pixel.
+std::vector<std::uint8_t> difference_picture(const Pgm& expected, const Buffer& actual);
+
+// Depth codes as gray: the nearest drawn code 255, the farthest 40, the background 0.
+std::vector<std::uint8_t> depth_as_gray(const Buffer&);
+
+}  // namespace umbra78::tools

@@ -1,0 +1,19 @@
+// What the writers of file formats share: one-line errors, and bytes.
+#pragma once
+
+#include "tools/io/files.hpp"
+
+#include <string_view>
+
+namespace umbra78::tools {
+
+[[noreturn]] void fail_to_write(const Path&, std::string_view wrong, std::string_view remedy);
+[[noreturn]] void fail_to_read(const Path&, std::string_view wrong);  // of a PGM
+
+// Throws unless there are width * height samples of `channels` values.
+void expect_samples(const Path&, int width, int height, std::size_t samples,
+                    std::size_t channels = 1);
+
+void append(std::vector<std::byte>& bytes, std::string_view text);
+
+}  // namespace umbra78::tools

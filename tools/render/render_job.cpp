@@ -1,0 +1,162 @@
+#include "tools/render/render_job.hpp"
+
+#include "tools/scene/checks.hpp"
+
+#include <chrono>
+
+namespace umbra78::tools {
+namespace {
+
+// Runs a stage and returns its milliseconds.
+template <class Stage>
+double timed_ms(Stage stage) {
+    const auto start = std::chrono::steady_clock::now();
+    stage();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+}  // namespace
+
+RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings)
+    : inputs_{scene, settings, {}} {
+    load(nullptr);
+    if (settings.machine.z_bits <= 16) {
+        allocate<hw::Depth16>();
+    } else {
+        allocate<hw::Depth32>();
+    }
+}
+
+template <class Depth>
+void RenderJob::allocate() {
+    const hw::MachineSpec& machine = settings().machine;
+    const std::size_t patches = inputs_.scene.patches.size();
+    bytes_ = shadow::frame_bytes<Depth>(machine, patches);
+    memory_.reset(new (std::align_val_t{64}) std::byte[bytes_]);
+    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches);
+}
+
+void RenderJob::use(const shadow::Settings& settings) {
+    inputs_.settings = settings;
+    load(nullptr);
+}
+
+void RenderJob::advance(const shadow::Scene& scene, const shadow::Settings& settings) {
+    const shadow::FrameInputs before = inputs_;
+    inputs_ = {scene, settings, {}};
+    load(&before);
+}
+
+void RenderJob::load(const shadow::FrameInputs* before) {
+    auto status = shadow::FrameStatus::ok;
+    times_.matrices_ms = timed_ms([&] {
+        status = shadow::load_matrices(inputs_.scene, inputs_.settings, inputs_.matrices);
+        if (status == shadow::FrameStatus::ok) plan_ = shadow::make_plan(inputs_, before);
+    });
+    if (status != shadow::FrameStatus::ok) throw SceneError(explain(status));
+}
+
+void RenderJob::draw_light() {
+    times_.light_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::draw_light(inputs_, plan_, f, counts_); }, frame_);
+    });
+}
+
+void RenderJob::draw_observer() {
+    times_.observer_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::draw_observer(inputs_, plan_, f, counts_); }, frame_);
+    });
+}
+
+void RenderJob::cast_shadows() {
+    times_.post_process_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::cast_shadows(inputs_, plan_, f, counts_); }, frame_);
+    });
+}
+
+void RenderJob::filter_and_composite() {
+    times_.filters_ms = timed_ms([&] {
+        std::visit([&](auto& f) { shadow::filter_and_composite(inputs_, plan_, f, counts_); },
+                   frame_);
+    });
+}
+
+void RenderJob::render() {
+    draw_light();
+    draw_observer();
+    cast_shadows();
+    filter_and_composite();
+}
+
+shadow::FrameLedger RenderJob::ledger() const {
+    return std::visit(
+        [&](const auto& frame) {
+            return shadow::frame_ledger(inputs_.scene, inputs_.settings, inputs_.matrices,
+                                        frame, counts_);
+        },
+        frame_);
+}
+
+shadow::MemoryLedger RenderJob::replay_memory() const {
+    const hw::MatrixWords& matrix = inputs_.matrices.observer_to_light;
+    const shadow::PostProcessPipeline plan(settings(), matrix);
+    return std::visit(
+        [&](const auto& frame) {
+            return shadow::replay_memory(frame.observer, matrix, settings(),
+                                         static_cast<std::uint64_t>(plan.slot_cycles));
+        },
+        frame_);
+}
+
+const char* name_of(Plane plane) {
+    constexpr const char* names[] = {"observer_z", "light_z",  "intensity", "mask",
+                                     "edges",      "filtered", "picture"};
+    return names[static_cast<std::size_t>(plane)];
+}
+
+Buffer RenderJob::buffer(Plane plane) const {
+    const hw::MachineSpec& spec = settings().machine;
+    const auto depth = [&](const auto& store) {
+        using Word = typename std::remove_cvref_t<decltype(store.depth)>::value_type;
+        return Buffer{name_of(plane), spec.size_px(), spec.background(),
+                      std::span<const Word>(store.depth)};
+    };
+    return std::visit(
+        [&](const auto& frame) {
+            if (plane == Plane::observer_z) return depth(frame.observer);
+            if (plane == Plane::light_z) return depth(frame.light);
+            return Buffer{name_of(plane), spec.size_px(), 255, bytes(plane)};
+        },
+        frame_);
+}
+
+std::span<const std::uint8_t> RenderJob::bytes(Plane plane) const {
+    return std::visit(
+        [&](const auto& frame) -> std::span<const std::uint8_t> {
+            switch (plane) {
+                case Plane::intensity: return frame.observer.intensity;
+                case Plane::mask: return frame.mask;
+                case Plane::edges: return frame.edges;
+                case Plane::filtered: return frame.filtered;
+                case Plane::picture: return frame.picture;
+                default: return {};
+            }
+        },
+        frame_);
+}
+
+std::vector<std::uint8_t> RenderJob::visible() const {
+    const std::uint32_t background = settings().machine.background();
+    std::vector<std::uint8_t> seen;
+    std::visit(
+        [&](const auto& frame) {
+            seen.reserve(frame.observer.depth.size());
+            for (const std::uint32_t code : frame.observer.depth)
+                seen.push_back(code != background);
+        },
+        frame_);
+    return seen;
+}
+
+}  // namespace umbra78::tools

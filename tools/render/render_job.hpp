@@ -1,0 +1,104 @@
+// A frame as the program draws it: its memory, its stages with their times, and its cost on the
+// machine.
+//
+// The core works in memory handed in; this is who owns it. Stages are run one by one, so that
+// what stands still between two pictures is drawn once. Host times are wall clock, milliseconds.
+#pragma once
+
+#include "shadow/clocked/memory_replay.hpp"
+#include "shadow/frame/frame.hpp"
+#include "shadow/frame/ledger.hpp"
+#include "tools/io/buffers.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <variant>
+#include <vector>
+
+namespace umbra78::tools {
+
+struct StageTimes {
+    double matrices_ms = 0;  // and the plan
+    double light_ms = 0, observer_ms = 0, post_process_ms = 0, filters_ms = 0;
+    double total_ms() const {
+        return matrices_ms + light_ms + observer_ms + post_process_ms + filters_ms;
+    }
+};
+
+constexpr double simulated_ms(std::uint64_t cycles, int clock_ns) {
+    return static_cast<double>(cycles) * clock_ns * 1e-6;
+}
+
+// A frame's planes. Z is 16 or 32 bits a word, the others are 8.
+enum class Plane : std::uint8_t {
+    observer_z,
+    light_z,
+    intensity,
+    mask,      // as compared
+    edges,     // after the edge dequantizing
+    filtered,  // after the low-pass
+    picture,
+};
+inline constexpr std::array all_planes{Plane::observer_z, Plane::light_z, Plane::intensity,
+                                       Plane::mask,       Plane::edges,   Plane::filtered,
+                                       Plane::picture};
+const char* name_of(Plane);
+
+class RenderJob {
+public:
+    // The scene's spans must live as long as the job. Throws SceneError if the frame's matrices
+    // do not fit.
+    RenderJob(const shadow::Scene&, const shadow::Settings&);
+
+    // Other settings for the stages that follow; the widths of X, Y and Z must stay.
+    void use(const shadow::Settings&);
+
+    // The next frame of a sequence, after render(): what stands still will be kept. As many
+    // patches at most, the same widths; both scenes' spans must live.
+    void advance(const shadow::Scene&, const shadow::Settings&);
+
+    void draw_light();
+    void draw_observer();
+    void cast_shadows();
+    void filter_and_composite();
+    void render();  // all of them, in order
+
+    const shadow::FrameInputs& inputs() const { return inputs_; }
+    const shadow::Settings& settings() const { return inputs_.settings; }
+    const shadow::FrameMatrices& matrices() const { return inputs_.matrices; }
+    const shadow::FramePlan& plan() const { return plan_; }
+    const shadow::FrameCounts& counts() const { return counts_; }
+    const StageTimes& times() const { return times_; }
+    // What the frame takes on the machine; draws both views once more, to count.
+    shadow::FrameLedger ledger() const;
+    // The post-process again, through memory of the time.
+    shadow::MemoryLedger replay_memory() const;
+    std::size_t frame_bytes() const { return bytes_; }
+
+    // A view into the frame, as it stands.
+    Buffer buffer(Plane) const;
+    std::span<const std::uint8_t> bytes(Plane) const;  // of a plane of 8 bits
+    std::vector<std::uint8_t> visible() const;         // 1 where something was drawn
+
+private:
+    struct Free {
+        void operator()(std::byte* memory) const {
+            ::operator delete[](memory, std::align_val_t{64});
+        }
+    };
+    template <class Depth>
+    void allocate();
+    void load(const shadow::FrameInputs* before);
+
+    shadow::FrameInputs inputs_;
+    shadow::FramePlan plan_{};
+    shadow::FrameCounts counts_{};
+    StageTimes times_{};
+    std::size_t bytes_ = 0;
+    std::unique_ptr<std::byte[], Free> memory_;
+    std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;
+};
+
+}  // namespace umbra78::tools

@@ -1,0 +1,28 @@
+// The figures of merit of a frame as text and JSON: bias, errors, times.
+#pragma once
+
+#include "tools/io/json_text.hpp"
+#include "tools/render/render_job.hpp"
+#include "tools/truth/scene_truth.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+
+namespace umbra78::tools {
+
+// The bias in light-map Z quanta, light-map texels and world units, at the light's target.
+struct BiasReport {
+    double quanta, texels, world;
+};
+BiasReport bias_report(const raster::View& light, const RenderJob&);
+
+std::string print(const BiasReport&);      // "64 quanta = 0.5 texels = 0.00390625 world units"
+std::string percent(std::optional<double> rate);  // "23.87" or "n/a"
+
+nlohmann::ordered_json to_json(const BiasReport&);
+nlohmann::ordered_json to_json(const StageTimes&);
+nlohmann::ordered_json to_json(const std::optional<ShadowReport>&);  // null for none
+
+}  // namespace umbra78::tools

@@ -1,0 +1,162 @@
+#include "tools/scene/settings_text.hpp"
+
+#include "fixed/decimal.hpp"
+#include "shadow/frame/profiles.hpp"
+#include "tools/io/markdown.hpp"
+#include "tools/scene/table_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace umbra78::tools {
+namespace {
+
+using nlohmann::ordered_json;
+using shadow::Setting;
+using shadow::SettingKind;
+using shadow::Settings;
+
+std::int64_t read(const Setting& setting, const TomlNode& node, const std::string& called) {
+    if (setting.kind == SettingKind::choice) return read_choice(node, called, setting.names);
+    return read_number(node, called, {setting.fraction, setting.min, setting.max});
+}
+
+std::int64_t default_of(const Setting& setting) { return setting.get(Settings{}); }
+
+ordered_json json_value(const Setting& setting, std::int64_t word) {
+    if (setting.kind == SettingKind::whole) return word;
+    if (setting.kind == SettingKind::decimal)
+        return static_cast<double>(word) / static_cast<double>(std::int64_t{1} << setting.fraction);
+    return setting.names[static_cast<std::size_t>(word)];
+}
+
+}  // namespace
+
+std::string print(const Setting& setting, std::int64_t word) {
+    if (setting.kind == SettingKind::choice)
+        return std::string(setting.names[static_cast<std::size_t>(word)]);
+    std::array<char, fixed::longest_decimal> text;
+    const int length = fixed::print_decimal(word, setting.fraction, text);
+    return {text.data(), static_cast<std::size_t>(length)};
+}
+
+std::string print_source(const shadow::ProfileValue& value) {
+    const bool assumed = value.confidence == shadow::Confidence::assumed;
+    return fmt::format("{}{}", assumed ? "assumed: " : "", value.source);
+}
+
+std::string print_range(const Setting& setting) {
+    if (setting.kind == SettingKind::choice)
+        return fmt::format("{}", fmt::join(setting.names, ", "));
+    return print(setting, setting.min) + " .. " + print(setting, setting.max);
+}
+
+void apply_settings(const TomlNode& table, Settings& settings) {
+    std::vector<std::string_view> keys{"profile"}, profiles;
+    for (const Setting& setting : shadow::settings_table()) keys.push_back(setting.key);
+    for (const shadow::Profile& profile : shadow::profiles()) profiles.push_back(profile.name);
+    const TableReader in(table, "[settings]", keys);
+
+    for (const TomlNode& node : table.children)
+        if (node.key == "profile")
+            shadow::apply(shadow::profiles()[static_cast<std::size_t>(
+                              read_choice(node, in.called("profile"), profiles))],
+                          settings);
+    for (const TomlNode& node : table.children) {
+        const Setting* setting = shadow::find_setting(node.key);
+        if (!setting) continue;
+        setting->set(settings, read(*setting, node, in.called(node.key)));
+        if (!shadow::closes(settings))  // a width with gaps in its range
+            fail(node, fmt::format("{} is {}, which the machine cannot be built with ({})",
+                                   in.called(node.key), node.text, setting->meaning));
+    }
+}
+
+Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective) {
+    const TomlNode none;
+    const TomlNode& first = file ? *file : none;
+    const auto given = [&](std::string_view key) {
+        return first.find(key) != nullptr || overrides.find(key) != nullptr;
+    };
+    Settings settings;
+    if (perspective && !given("profile") && !given("coefficient_bits"))
+        shadow::apply(*shadow::find_profile("perspective24"), settings);
+    apply_settings(first, settings);
+    apply_settings(overrides, settings);
+    return settings;
+}
+
+std::string settings_help() {
+    std::string text = "Settings, for [settings] in a scene file and for --set:\n";
+    const auto line = [&](std::string_view key, std::string_view range, std::string_view meaning,
+                          std::string_view otherwise) {
+        text += fmt::format("  {:<22}{}\n{:24}{}\n", key, meaning, "", range);
+        if (!otherwise.empty()) text.insert(text.size() - 1, fmt::format("; {}", otherwise));
+    };
+    std::vector<std::string_view> names;
+    for (const shadow::Profile& profile : shadow::profiles()) names.push_back(profile.name);
+    line("profile", fmt::format("{}", fmt::join(names, ", ")),
+         "a machine of the time: sets some of the keys below, before the others", "");
+    for (const Setting& s : shadow::settings_table())
+        line(s.key, fmt::format("{}{}{}", print_range(s), s.unit.empty() ? "" : " ", s.unit),
+             s.meaning, fmt::format("default {}", print(s, default_of(s))));
+    return text + "Views: observer.KEY and light.KEY, such as --set light.azimuth=-80\n";
+}
+
+std::string settings_markdown() {
+    std::vector<std::vector<std::string>> rows{{"key", "unit", "range", "default", "meaning"}};
+    for (const Setting& s : shadow::settings_table())
+        rows.push_back({fmt::format("`{}`", s.key), std::string(s.unit), print_range(s),
+                        print(s, default_of(s)), std::string(s.meaning)});
+    std::vector<std::vector<std::string>> named{{"profile", "sets", "to", "source"}};
+    for (const shadow::Profile& p : shadow::profiles()) {
+        named.push_back({fmt::format("`{}`", p.name), "", "", std::string(p.meaning)});
+        for (const shadow::ProfileValue& v : p.values)
+            named.push_back({"", fmt::format("`{}`", v.key),
+                             print(*shadow::find_setting(v.key), v.word), print_source(v)});
+    }
+    return markdown_table(rows) + "\n" + markdown_table(named);
+}
+
+ordered_json settings_json() {
+    ordered_json settings = ordered_json::array(), profiles = ordered_json::array();
+    for (const Setting& s : shadow::settings_table()) {
+        ordered_json& row = settings.emplace_back();
+        row["key"] = s.key;
+        row["unit"] = s.unit;
+        if (s.kind == SettingKind::choice) {
+            row["choices"] = ordered_json::array();
+            for (const std::string_view name : s.names) row["choices"].push_back(name);
+        } else {
+            row["least"] = json_value(s, s.min);
+            row["most"] = json_value(s, s.max);
+            row["fraction_bits"] = s.fraction;
+        }
+        row["default"] = json_value(s, default_of(s));
+        row["meaning"] = s.meaning;
+    }
+    for (const shadow::Profile& p : shadow::profiles()) {
+        ordered_json values = ordered_json::array();
+        for (const shadow::ProfileValue& v : p.values)
+            values.push_back({{"key", v.key},
+                              {"value", json_value(*shadow::find_setting(v.key), v.word)},
+                              {"assumed", v.confidence == shadow::Confidence::assumed},
+                              {"source", v.source}});
+        profiles.push_back({{"name", p.name}, {"meaning", p.meaning}, {"values", values}});
+    }
+    return {{"settings", settings}, {"profiles", profiles}};
+}
+
+ordered_json settings_json(const Settings& settings) {
+    ordered_json json;
+    for (const Setting& s : shadow::settings_table())
+        json[std::string(s.key)] = json_value(s, s.get(settings));
+    return json;
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,173 @@
+#include "tools/scene/toml_text.hpp"
+
+#include "fixed/decimal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+// toml++ 3.3 asserts that a key begins like a key (under clang it even assumes so), which "[=]"
+// does not, and then reports the error well: so its assertions are off in every build.
+#undef NDEBUG
+#define TOML_ASSERT(expr) static_assert(true)
+#include <toml++/toml.h>
+
+namespace umbra78::tools {
+namespace {
+
+// The source by lines, for toml++'s places: lines and columns from 1, a column a code point.
+class Source {
+public:
+    Source(std::string_view text, const std::string& name) : name_(name) {
+        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+        if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+        for (std::size_t begin = 0; begin <= text.size();) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            lines_.push_back(text.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    }
+
+    std::string where(const toml::source_region& at) const {
+        return fmt::format("{}:{}", name_, at.begin.line);
+    }
+
+    // The text of a value that stands on one line.
+    std::string text(const toml::source_region& at) const {
+        const std::string_view line = lines_.at(at.begin.line - 1);
+        const std::size_t begin = byte(line, at.begin.column), end = byte(line, at.end.column);
+        return std::string(line.substr(begin, end - begin));
+    }
+
+private:
+    static std::size_t byte(std::string_view line, std::size_t column) {
+        std::size_t at = 0;
+        while (at < line.size() && column > 1) {
+            ++at;
+            while (at < line.size() && (line[at] & 0xC0) == 0x80) ++at;  // UTF-8 continues
+            --column;
+        }
+        return at;
+    }
+
+    std::string name_;
+    std::vector<std::string_view> lines_;
+};
+
+const char* name_of(toml::node_type type) {
+    switch (type) {
+        case toml::node_type::boolean: return "a boolean";
+        case toml::node_type::date: return "a date";
+        case toml::node_type::time: return "a time";
+        case toml::node_type::date_time: return "a date";
+        default: return "something else";
+    }
+}
+
+bool stands_before(const toml::source_position& a, const toml::source_position& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+}
+
+TomlNode convert(const toml::node& from, const Source& source) {
+    using Kind = TomlNode::Kind;
+    TomlNode node;
+    node.where = source.where(from.source());
+    if (const toml::table* table = from.as_table()) {
+        std::vector<std::pair<toml::source_position, TomlNode>> members;
+        for (const auto& [key, value] : *table) {
+            members.emplace_back(key.source().begin, convert(value, source));
+            members.back().second.key = key.str();
+        }
+        std::stable_sort(members.begin(), members.end(), [](const auto& a, const auto& b) {
+            return stands_before(a.first, b.first);
+        });
+        for (auto& member : members) node.children.push_back(std::move(member.second));
+    } else if (const toml::array* array = from.as_array()) {
+        node.kind = Kind::array;
+        for (const toml::node& item : *array) node.children.push_back(convert(item, source));
+    } else if (from.is_number()) {
+        node.kind = Kind::number;
+        node.text = source.text(from.source());
+    } else if (const toml::value<std::string>* text = from.as_string()) {
+        node.kind = Kind::text;
+        node.text = text->get();
+    } else {
+        node.kind = Kind::other;
+        node.text = name_of(from.type());
+    }
+    return node;
+}
+
+void rename(TomlNode& node, const std::string& where) {
+    node.where = where;
+    for (TomlNode& child : node.children) rename(child, where);
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+}  // namespace
+
+const TomlNode* TomlNode::find(std::string_view child) const {
+    for (const TomlNode& node : children)
+        if (node.key == child) return &node;
+    return nullptr;
+}
+
+TomlNode parse_toml(std::string_view text, const std::string& name) {
+    try {
+        const toml::table table = toml::parse(text, name);
+        TomlNode root = convert(table, Source(text, name));
+        root.where = name;
+        return root;
+    } catch (const toml::parse_error& error) {
+        std::string what(error.description());
+        std::replace(what.begin(), what.end(), '\n', ' ');
+        throw SceneError(fmt::format("{}:{}: this is no TOML: {}", name,
+                                     error.source().begin.line, what));
+    }
+}
+
+TomlNode parse_override(const std::string& key_and_value) {
+    const std::string where = "--set " + key_and_value;
+    const std::size_t equals = key_and_value.find('=');
+    const std::string_view whole = key_and_value;
+    const std::string_view key = trimmed(whole.substr(0, equals));
+    const std::string_view value =
+        equals == whole.npos ? std::string_view{} : trimmed(whole.substr(equals + 1));
+    if (key.empty() || value.empty())
+        throw SceneError(where + ": write key=value, such as --set bias=64");
+
+    TomlNode node;
+    node.kind = TomlNode::Kind::text;
+    node.text = value;
+    const auto read = fixed::parse_decimal(value, 0, 64);
+    const char first = value.front();
+    if (first == '[' || first == '"' || first == '\'') {
+        try {
+            node = parse_toml(fmt::format("v = {}", value), where).children.at(0);
+        } catch (const SceneError&) {
+            throw SceneError(where + ": the value is no TOML; write [x, y, z], a number or a name");
+        }
+    } else if (read.status != fixed::DecimalStatus::bad_character) {
+        node.kind = TomlNode::Kind::number;
+    }
+    rename(node, where);
+    node.key = key;
+    return node;
+}
+
+std::string describe(const TomlNode& node) {
+    switch (node.kind) {
+        case TomlNode::Kind::table: return "a table";
+        case TomlNode::Kind::array: return fmt::format("an array of {}", node.children.size());
+        case TomlNode::Kind::text: return fmt::format("the text '{}'", node.text);
+        case TomlNode::Kind::number: return fmt::format("the number {}", node.text);
+        default: return node.text;
+    }
+}
+
+}  // namespace umbra78::tools

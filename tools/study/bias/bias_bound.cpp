@@ -1,0 +1,30 @@
+#include "tools/study/bias/bias_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace umbra78::tools::study {
+
+double bias_bound(double slope, const shadow::Settings& s) {
+    const double jitter = hw::silent(s.dither, s.machine) ? 0 : s.dither.size_q8 / 256.0;
+    const double texels = jitter + (s.lookup == shadow::Lookup::nearest ? 1 : 0);
+    const double quanta_a_texel = std::ldexp(slope, s.machine.z_bits);
+    return (texels > 0 ? texels * quanta_a_texel / 2 : 0) + 1;
+}
+
+double bias_bound_for(double share, std::span<const double> slope,
+                      std::span<const std::uint8_t> lit, std::span<const std::uint8_t> leave_out,
+                      const shadow::Settings& s) {
+    std::vector<double> kept;
+    for (std::size_t at = 0; at < slope.size(); ++at)
+        if (lit[at] && (leave_out.empty() || !leave_out[at])) kept.push_back(slope[at]);
+    if (kept.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto over = static_cast<std::ptrdiff_t>(share * static_cast<double>(kept.size()));
+    const auto place = kept.end() - 1 - std::min<std::ptrdiff_t>(over, std::ssize(kept) - 1);
+    std::nth_element(kept.begin(), place, kept.end());
+    return bias_bound(*place, s);  // grows with the slope
+}
+
+}  // namespace umbra78::tools::study

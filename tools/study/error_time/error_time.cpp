@@ -1,0 +1,144 @@
+// The study of error against run time: what a setting costs, and what it is worth.
+//
+// Errors are those of tools/truth/metrics.hpp against exact truth, over all pixels and outside the
+// edge band (one light texel mapped back and the filters' reach). Costs are the machine's cycles
+// and the host's milliseconds, the thread's own on a processor. Other cases run on the other cores
+// meanwhile and share the caches; --jobs 1 gives quieter times.
+#include "tools/study/error_time/error_time.hpp"
+
+#include "tools/render/report.hpp"
+#include "tools/scene/settings_text.hpp"
+#include "tools/study/error_time/shared_draw.hpp"
+#include "tools/study/truth_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbra78::tools::study {
+namespace {
+
+constexpr int full_runs = 5, quick_runs = 3;
+
+bool varies(const Request& request, std::string_view key) {
+    return std::any_of(request.vary.begin(), request.vary.end(),
+                       [&](const GridKey& axis) { return axis.first == key; });
+}
+
+// The scene's bias in texels, as the slope errors are that it must exceed: in quanta it would
+// mean another length with every width of Z.
+std::vector<GridKey> same_bias(const Request& request) {
+    if (varies(request, "bias") || varies(request, "bias_unit")) return {};
+    const shadow::Settings& s = request.scene.settings;
+    const RenderJob job(request.scene.view(), s);
+    const BiasReport bias = bias_report(request.scene.light, job);
+    const auto word = static_cast<std::int64_t>(std::lround(std::ldexp(bias.texels, 16)));
+    return {{"bias_unit", {"texels"}},
+            {"bias", {tools::print(*shadow::find_setting("bias"), word)}}};
+}
+
+std::vector<GridKey> with(std::vector<GridKey> axes, std::vector<GridKey> others) {
+    for (GridKey& other : others) {
+        const auto found = std::find_if(axes.begin(), axes.end(), [&](const GridKey& axis) {
+            return axis.first == other.first;
+        });
+        if (found != axes.end()) {
+            found->second = std::move(other.second);
+        } else {
+            axes.push_back(std::move(other));
+        }
+    }
+    return axes;
+}
+
+// The grid with the filters off, then with the paper's figures' on.
+std::vector<Case> both_filters(const Request& request, const std::vector<GridKey>& axes) {
+    const std::vector<GridKey> off{{"dequantize", {"0"}}, {"low_pass", {"0"}}};
+    const std::vector<GridKey> on{{"dequantize", {"4"}}, {"low_pass", {"1"}}};
+    return joined(grid(request, with(axes, off)), grid(request, with(axes, on)));
+}
+
+// Neighbours share what is drawn.
+void put_shared_drawing_together(std::vector<Case>& cases) {
+    const auto drawing = [](const Case& c) {
+        std::string key;
+        for (const std::string_view part :
+             {"xy_bits", "z_bits", "coefficient_bits", "sampling", "form", "profile"})
+            for (const std::string& set : c.set)
+                if (set.starts_with(fmt::format("{}=", part))) key += set + ' ';
+        return key;
+    };
+    std::stable_sort(cases.begin(), cases.end(), [&](const Case& a, const Case& b) {
+        return drawing(a) < drawing(b);
+    });
+}
+
+void set_times(Row& row, const SharedDraw& draw) {
+    row.set("light_host_ms", draw.light.median_ms);
+    row.set("observer_host_ms", draw.observer.median_ms);
+    row.set("post_process_host_ms", draw.post_process.median_ms);
+    row.set("filters_host_ms", draw.filters.median_ms);
+    row.set("total_host_ms", draw.total_ms());
+    row.set("spread_host_ms", draw.spread_ms());
+}
+
+class ErrorTime final : public Study {
+public:
+    std::string_view name() const override { return "error-time"; }
+    std::string_view meaning() const override {
+        return "Error against run time: what each setting costs, and what it is worth";
+    }
+    std::vector<Case> cases(const Request&) const override;
+    Row run(const Request&, const Case&) const override;
+    void report(const Request& request, std::span<const Row> rows, Report& to) const override {
+        report_error_time(request, rows, to);
+    }
+
+private:
+    TruthCache truths_;
+};
+
+// A main grid, and the other axes one at a time about the scene's own widths: the whole product
+// would take hours and say the same.
+std::vector<Case> ErrorTime::cases(const Request& request) const {
+    const std::vector<GridKey> bias = same_bias(request);
+    const GridKey lookup{"lookup", {"nearest", "bilinear"}};
+    if (request.quick) {
+        const std::vector<GridKey> axes{{"xy_bits", {"7"}}, lookup, {"dither", {"none", "normal"}}};
+        return both_filters(request, with(axes, bias));
+    }
+    const std::vector<GridKey> main{{"form", {"post_process", "correct"}},
+                                 {"xy_bits", {"8", "9", "10"}},
+                                 lookup,
+                                 {"dither", {"none", "uniform", "normal"}}};
+    std::vector<Case> all = both_filters(request, with(main, bias));
+    const std::vector<GridKey> about{lookup, {"dither", {"none", "normal"}}};
+    std::vector<GridKey> alone{{"z_bits", {"12", "20"}},
+                            {"coefficient_bits", {"12"}},
+                            {"sampling", {"leaf"}},
+                            {"dither", {"triangular", "normal4"}},
+                            {"profile", {"ap120b"}}};
+    if (!bias.empty()) alone.push_back({"bias", {"0.25", "0.5", "1", "2", "3", "4", "6"}});
+    for (const GridKey& axis : alone)
+        all = joined(std::move(all), both_filters(request, with(with(about, bias), {axis})));
+    put_shared_drawing_together(all);
+    return all;
+}
+
+Row ErrorTime::run(const Request& request, const Case& c) const {
+    // A thread goes through neighbouring cases; its frame is drawn anew where it must be.
+    thread_local SharedDraw shared;
+    const LoadedScene scene = scene_of(request, c);
+    const int runs = !request.host_times ? 1 : request.quick ? quick_runs : full_runs;
+    RenderJob& drawn = shared.draw(request.scene_text, scene, runs);
+    Row row = error_time_row(scene, drawn, truths_.of(scene).get());
+    set_times(row, shared);
+    return row;
+}
+
+}  // namespace
+
+std::unique_ptr<Study> make_error_time_study() { return std::make_unique<ErrorTime>(); }
+
+}  // namespace umbra78::tools::study

@@ -1,0 +1,111 @@
+// The figures of one case of the study of error against run time, but for the host's times.
+#include "tools/study/error_time/error_time.hpp"
+
+#include "shadow/frame/profiles.hpp"
+#include "tools/study/measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace umbra78::tools::study {
+namespace {
+
+std::int64_t whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+
+void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job, const Traced* known) {
+    const bool has = known != nullptr;
+    ShadowReport found;
+    DepthError depth;
+    if (has) {
+        const std::vector<std::uint8_t> visible = job.visible();
+        found = report(known->truth, {job.bytes(Plane::filtered), visible},
+                       widened(known->band, known->truth, scene.settings));
+        depth = depth_error(scene, known->truth.truth, job.buffer(Plane::observer_z));
+    }
+    const auto set = [&](const char* column, auto value) {
+        row.set(column, has ? Value(value) : Value());
+    };
+    const auto wrong = [](const ShadowError& e) {
+        return double(e.false_shadow + e.false_light) / std::max(e.lit + e.shadowed, 1);
+    };
+    const ShadowError &all = found.all, &out = found.outside_band;
+    set("lit_pixels", std::int64_t{all.lit});
+    set("shadowed_pixels", std::int64_t{all.shadowed});
+    set("false_shadow", all.false_shadow_rate());
+    set("false_light", all.false_light_rate());
+    set("wrong", wrong(all));
+    set("outside_lit_pixels", std::int64_t{out.lit});
+    set("outside_shadowed_pixels", std::int64_t{out.shadowed});
+    set("outside_false_shadow", out.false_shadow_rate());
+    set("outside_false_light", out.false_light_rate());
+    set("outside_wrong", wrong(out));
+    set("isolated_pixels", std::int64_t{found.isolated_pixels});
+    set("edge_mean_px", found.edge.mean);
+    set("edge_hausdorff_px", found.edge.hausdorff);
+    set("edge_mean_world", has ? found.edge.mean * known->truth.observer.pixel() : 0);
+    set("depth_pixels", depth.pixels);
+    set("depth_min_quanta", depth.min);
+    set("depth_mean_quanta", depth.mean);
+    set("depth_max_quanta", depth.max);
+    set("depth_rms_quanta", depth.rms);
+}
+
+// A profile's cycles mean something for a case that its words and its arithmetic could have made:
+// as many passes of the multiplier a coefficient, and the same post-process. A profile that names
+// no arithmetic is of the fixed-point machine.
+bool applies(const shadow::Profile& profile, const shadow::Settings& settings) {
+    shadow::Settings its, both = settings;
+    shadow::apply(profile, its);
+    shadow::apply(profile, both);
+    const bool same_passes =
+        (its.machine.coefficient_bits > 16) == (settings.machine.coefficient_bits > 16);
+    return its.arithmetic == settings.arithmetic &&
+           (its.arithmetic == shadow::Arithmetic::ap120b || same_passes) && shadow::closes(both);
+}
+
+void set_cycles(Row& row, const std::string& prefix, const RenderJob& job) {
+    const shadow::FrameLedger ledger = job.ledger();
+    const int clock_ns = job.settings().timing.clock_ns;
+    const auto set = [&](const char* column, std::uint64_t cycles) {
+        row.set(fmt::format("{}{}_cycles", prefix, column), whole(cycles));
+        row.set(fmt::format("{}{}_machine_ms", prefix, column), simulated_ms(cycles, clock_ns));
+    };
+    set("frame", ledger.total(true));
+    set("transformation", ledger.transformation(true));
+}
+
+// Bits do not depend on a profile, its coefficients' width apart: that stays the case's.
+void set_profiles(Row& row, RenderJob& job) {
+    const shadow::Settings settings = job.settings();
+    for (const shadow::Profile& profile : shadow::profiles()) {
+        const std::string prefix = fmt::format("{}_", profile.name);
+        if (!applies(profile, settings)) {
+            for (const char* column : {"frame", "transformation"})
+                for (const char* unit : {"cycles", "machine_ms"})
+                    row.set(fmt::format("{}{}_{}", prefix, column, unit), Value());
+            continue;
+        }
+        shadow::Settings its = settings;
+        shadow::apply(profile, its);
+        its.machine.coefficient_bits = settings.machine.coefficient_bits;
+        job.use(its);
+        set_cycles(row, prefix, job);
+    }
+    job.use(settings);
+}
+
+}  // namespace
+
+Row error_time_row(const LoadedScene& scene, RenderJob& drawn, const Traced* known) {
+    Row row;
+    for (const Plane plane : {Plane::mask, Plane::filtered, Plane::picture})
+        row.set(fmt::format("{}_hash", name_of(plane)), hash_of(drawn.buffer(plane)));
+    set_errors(row, scene, drawn, known);
+    row.set("frame_bytes", whole(drawn.frame_bytes()));
+    set_cycles(row, "", drawn);
+    set_profiles(row, drawn);
+    return row;
+}
+
+}  // namespace umbra78::tools::study

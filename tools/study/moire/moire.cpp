@@ -1,0 +1,126 @@
+// umbra78 study moire: is the error a pattern, and which remedy makes it noise?
+//
+// Two grounds. The scene's own surfaces, whose moire changes its pitch from place to place: there
+// the flatness of small windows tells pattern from noise. A slanted plane, whose moire has one
+// pitch, known beforehand from the two grids: there the highest line of the spectrum tells. The
+// bias is figure 3's, half a texel. Dithers too narrow, and a generator that is started anew in
+// every row, must fail; a measure that passes them measures nothing.
+#include "tools/study/moire/frame.hpp"
+#include "tools/study/moire/report.hpp"
+
+#include <cmath>
+
+namespace umbra78::tools::study {
+namespace {
+
+class MoireStudy : public Study {
+public:
+    std::string_view name() const override { return "moire"; }
+    std::string_view meaning() const override {
+        return "Is the error a pattern: its spectrum before and after each remedy";
+    }
+    std::vector<Case> cases(const Request&) const override;
+    Row run(const Request&, const Case&) const override;
+    void report(const Request& request, std::span<const Row> rows,
+                Report& report) const override {
+        report_moire(request, rows, report);
+    }
+
+private:
+    TruthCache truths_;
+};
+
+std::vector<Case> MoireStudy::cases(const Request& request) const {
+    const std::vector<GridKey> shared{{"bias_unit", {"texels"}}, {"bias", {"0.5"}},
+                                   {"dequantize", {"0"}},     {"low_pass", {"0"}},
+                                   {"lookup", {"nearest", "bilinear"}}};
+    std::vector<Case> all;
+    const auto add = [&](const char* ground, const char* noise, std::vector<GridKey> axes) {
+        axes.insert(axes.begin(), shared.begin(), shared.end());
+        std::vector<Case> cases = grid(request, std::move(axes));
+        for (Case& c : cases) {
+            c.extra = {{"ground", ground}, {"noise", noise}};
+            c.name = std::string(ground) + " " + noise + " " + c.name;
+        }
+        all = joined(std::move(all), cases);
+    };
+    GridKey shapes{"dither", {"uniform", "triangular", "normal4", "normal"}};
+    GridKey sizes{"dither_size", {"0", "0.25", "0.5", "0.75", "1", "1.5", "2"}};
+    if (request.quick) {
+        shapes.second = {"uniform", "normal"};
+        sizes.second = {"0.25", "1"};
+    }
+    for (const char* ground : {"scene", "plane"}) {
+        add(ground, "machine", {{"dither", {"none"}}, {"dither_size", {"1"}}});
+        add(ground, "machine", {shapes, sizes});
+        add(ground, "restarted rows",
+            {{"dither", {"uniform", "normal"}}, {"dither_size", {"1"}}});
+    }
+    return all;
+}
+
+Row MoireStudy::run(const Request& request, const Case& c) const {
+    const MoireFrame frame = draw_moire(request, c, truths_);
+    const ErrorSpectrum s = error_spectrum(frame.traced->truth, frame.shown(), frame.window_px);
+    Row row;
+    set_rates(row, report_of(frame));
+    set_in_three_units(row, "bias", light_units(frame.scene), frame.bias_quanta);
+    row.set("flatness", s.flatness.windows > 0 ? Value(s.flatness.median) : Value());
+    row.set("windows", std::int64_t{s.flatness.windows});
+
+    const bool plane = frame.window_px > 0, errors = plane && s.peak.over_mean > 0;
+    const auto set = [&](const char* column, double value) {
+        row.set(column, errors ? Value(value) : Value());
+    };
+    set("peak_over_mean", s.peak.over_mean);
+    set("fisher_g", s.fisher.g);
+    set("fisher_p", s.fisher.p);
+    set("anisotropy_db", s.radial.max_anisotropy_db);
+    set("white_anisotropy_db", -10 * std::log10(std::max(s.segments, 1)));
+    set("peak_u", s.peak.at.u);
+    set("peak_v", s.peak.at.v);
+    set("peak_period_px", s.peak.at.period_px());
+    const GridBeat beat = plane ? grid_beat(frame.traced->truth) : GridBeat{};
+    set("beat_u", beat.predicted().u);
+    set("beat_v", beat.predicted().v);
+    set("beat_period_px", beat.predicted().period_px());
+    const Harmonic h = harmonic_at(beat, s.peak.at, plane ? 1.0 / frame.window_px : 0);
+    row.set("harmonic_k", errors ? Value(std::int64_t{h.k}) : Value());
+    row.set("harmonic_l", errors ? Value(std::int64_t{h.l}) : Value());
+    return row;
+}
+
+}  // namespace
+
+MoireFrame draw_moire(const Request& request, const Case& c, const TruthCache& truths) {
+    const auto is = [&](const char* key, const char* value) {
+        for (const auto& [name, held] : c.extra)
+            if (name == key) return held == value;
+        return false;
+    };
+    const bool plane = is("ground", "plane");
+    MoireFrame frame;
+    frame.scene = plane ? parse_scene(slanted_plane, "the slanted plane", c.set)
+                        : scene_of(request, c);
+    frame.traced = truths.needed(frame.scene);
+    frame.window_px = plane ? frame.scene.settings.machine.size_px() / 2 : 0;
+    RenderJob job(frame.scene.view(), frame.scene.settings);
+    draw_mask(job);
+    frame.visible = job.visible();
+    if (is("noise", "restarted rows")) {
+        frame.mask = mask_with_restarted_rows(job);
+    } else {
+        const auto mask = job.bytes(Plane::mask);
+        frame.mask.assign(mask.begin(), mask.end());
+    }
+    frame.bias_quanta = std::ldexp(static_cast<double>(job.matrices().bias_quanta_q16), -16);
+    return frame;
+}
+
+ShadowReport report_of(const MoireFrame& frame) {
+    return report(frame.traced->truth, frame.shown(), frame.traced->band);
+}
+
+std::unique_ptr<Study> make_moire_study() { return std::make_unique<MoireStudy>(); }
+
+}  // namespace umbra78::tools::study

@@ -1,0 +1,112 @@
+#include "tools/truth/edge_distance.hpp"
+
+#include "tools/truth/image_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace umbra78::tools {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Squared distances to the nearest marked place of a line of them, each with a squared distance
+// of its own: the lower envelope of parabolas (Felzenszwalb and Huttenlocher, "Distance Transforms
+// of Sampled Functions", 2012).
+class LineDistance {
+public:
+    explicit LineDistance(int size) : apex_(size), from_(size + 1) {}
+
+    // read(i) is the squared distance that place i has already; write(i, d) takes the new one.
+    template <class Read, class Write>
+    void operator()(int size, Read read, Write write) {
+        int last = -1;
+        for (int q = 0; q < size; ++q) {
+            if (read(q) == infinity) continue;
+            double start = -infinity;
+            while (last >= 0) {
+                const int p = apex_[last];
+                start = (read(q) - read(p) + double(q) * q - double(p) * p) / (2.0 * (q - p));
+                if (start > from_[last]) break;
+                --last;
+            }
+            if (last < 0) start = -infinity;
+            apex_[++last] = q;
+            from_[last] = start;
+        }
+        for (int q = 0, k = 0; q < size && last >= 0; ++q) {
+            while (k < last && from_[k + 1] < q) ++k;
+            const double d = q - apex_[k];
+            write(q, d * d + read(apex_[k]));
+        }
+    }
+
+private:
+    std::vector<int> apex_;
+    std::vector<double> from_;
+};
+
+// Of every pixel to the nearest marked one, in pixels; infinite where none is marked.
+std::vector<double> distances_to(const std::vector<std::uint8_t>& marked, int size) {
+    std::vector<double> squared(marked.size(), infinity), row(size);
+    for (std::size_t at = 0; at < marked.size(); ++at)
+        if (marked[at]) squared[at] = 0;
+    LineDistance along_line(size);
+    const auto transform = [&](std::size_t start, std::size_t step) {
+        for (int i = 0; i < size; ++i) row[i] = squared[start + i * step];
+        along_line(size, [&](int i) { return row[i]; },
+                   [&](int i, double d) { squared[start + i * step] = d; });
+    };
+    for (int i = 0; i < size; ++i) transform(i, size);
+    for (int i = 0; i < size; ++i) transform(static_cast<std::size_t>(i) * size, 1);
+    for (double& d : squared) d = std::sqrt(d);
+    return squared;
+}
+
+// The pixels in shadow with a lit 4-neighbour, of those compared.
+template <class InShadow>
+std::vector<std::uint8_t> shadow_edge(int size, const std::vector<std::uint8_t>& compared,
+                                      InShadow in_shadow) {
+    std::vector<std::uint8_t> edge(compared.size());
+    for (std::size_t at = 0; at < edge.size(); ++at) {
+        if (!compared[at] || !in_shadow(at)) continue;
+        bool beside_light = false;
+        for_disc(size, at, 1, [&](std::size_t other) {
+            beside_light |= compared[other] && !in_shadow(other);
+        });
+        edge[at] = beside_light;
+    }
+    return edge;
+}
+
+}  // namespace
+
+EdgeDistance edge_distance(const Truth& truth, const MachineMask& mask,
+                           std::span<const std::uint8_t> leave_out) {
+    std::vector<std::uint8_t> compared(truth.visible.size());
+    for_compared(truth, mask, leave_out, [&](std::size_t at) { compared[at] = 1; });
+    const auto true_edge =
+        shadow_edge(truth.size, compared, [&](std::size_t at) { return !truth.lit[at]; });
+    const auto drawn_edge =
+        shadow_edge(truth.size, compared, [&](std::size_t at) { return mask.in_shadow(at); });
+    const auto from_true = distances_to(true_edge, truth.size);
+    const auto from_drawn = distances_to(drawn_edge, truth.size);
+    double sum = 0, max = 0;
+    std::size_t pixels = 0;
+    const auto measure = [&](const auto& edge, const auto& distance) {
+        for (std::size_t at = 0; at < edge.size(); ++at) {
+            if (!edge[at]) continue;
+            sum += distance[at];
+            max = std::max(max, distance[at]);
+            ++pixels;
+        }
+    };
+    measure(true_edge, from_drawn);
+    measure(drawn_edge, from_true);
+    if (pixels == 0 || max == infinity) return {std::nan(""), std::nan("")};
+    return {sum / static_cast<double>(pixels), max};
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,85 @@
+#include "tools/truth/metrics.hpp"
+
+#include "tools/truth/image_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace umbra78::tools {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+void count(ShadowError& error, bool lit, bool in_shadow) {
+    error.lit += lit;
+    error.shadowed += !lit;
+    error.false_shadow += lit && in_shadow;
+    error.false_light += !lit && !in_shadow;
+}
+
+}  // namespace
+
+ShadowError shadow_error(const Truth& truth, const MachineMask& mask,
+                         std::span<const std::uint8_t> leave_out) {
+    ShadowError error;
+    for_compared(truth, mask, leave_out,
+                 [&](std::size_t at) { count(error, truth.lit[at], mask.in_shadow(at)); });
+    return error;
+}
+
+int isolated_pixels(const MachineMask& mask, int size) {
+    expect_image(mask.shadow.size(), size, "the mask");
+    int isolated = 0;
+    for (std::size_t at = 0; at < mask.shadow.size(); ++at) {
+        if (!mask.drawn(at)) continue;
+        int neighbours = -1, alike = -1;  // a disc of radius 1 holds the pixel itself
+        for_disc(size, at, 1, [&](std::size_t other) {
+            neighbours += mask.drawn(other);
+            alike += mask.drawn(other) && mask.in_shadow(other) == mask.in_shadow(at);
+        });
+        isolated += neighbours > 0 && alike == 0;
+    }
+    return isolated;
+}
+
+std::vector<double> error_image(const Truth& truth, const MachineMask& mask,
+                                std::span<const std::uint8_t> leave_out) {
+    std::vector<double> error(truth.visible.size());
+    for_compared(truth, mask, leave_out, [&](std::size_t at) {
+        error[at] = int(mask.in_shadow(at)) - int(truth.lit[at] == 0);
+    });
+    return error;
+}
+
+std::vector<std::uint8_t> lit_pixels(const Truth& truth, const MachineMask& mask) {
+    std::vector<std::uint8_t> lit(truth.visible.size());
+    for_compared(truth, mask, {}, [&](std::size_t at) { lit[at] = truth.lit[at]; });
+    return lit;
+}
+
+// With the light at azimuth +-A the sphere is lit and seen from azimuth +-90 (the limb) to
+// +-(A - 90) degrees (the line).
+std::vector<ShadowError> limb_to_line_profile(const Truth& truth, const MachineMask& mask,
+                                              const TruthScene& scene, int sphere,
+                                              const TruthView& view, const TruthLight& light,
+                                              int bins) {
+    std::vector<ShadowError> profile(bins);
+    const Real3& centre = scene.spheres[sphere].centre;
+    const auto azimuth = [&](const Real3& way) {
+        return std::atan2(dot(way, view.rotation[0]), dot(way, view.rotation[2]));
+    };
+    const double light_azimuth = azimuth(light.ray(centre).direction);
+    const double side = light_azimuth < 0 ? -1 : 1, limb = pi / 2;
+    const double line = std::abs(light_azimuth) - pi / 2;
+    for_compared(truth, mask, {}, [&](std::size_t at) {
+        if (truth.surface[at] != sphere || !truth.lit[at]) return;
+        const double here = side * azimuth(along(truth.position[at], -1, centre));
+        const double place = std::clamp((limb - here) / (limb - line), 0.0, 1.0);
+        const int bin = std::min(static_cast<int>(place * bins), bins - 1);
+        count(profile[bin], true, mask.in_shadow(at));
+    });
+    return profile;
+}
+
+}  // namespace umbra78::tools

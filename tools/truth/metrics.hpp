@@ -1,0 +1,58 @@
+// How far the machine's shadow is from truth. Whether what is wrong is moire or noise is for
+// tools/truth/spectrum.hpp to say.
+//
+// Rates are fractions 0 .. 1. An image is size * size values, row 0 at the top, as in Truth; a
+// span of another length is std::invalid_argument. Bands are images of 0 and 1, for leaving out.
+#pragma once
+
+#include "tools/truth/truth.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace umbra78::tools {
+
+// The machine's answer. Where `visible` is 0 the machine drew nothing; empty means all drawn.
+struct MachineMask {
+    std::span<const std::uint8_t> shadow;   // 0 light .. 255 shadow
+    std::span<const std::uint8_t> visible;
+    int threshold = 128;                    // shadow from here on
+
+    bool in_shadow(std::size_t at) const { return shadow[at] >= threshold; }
+    bool drawn(std::size_t at) const { return visible.empty() || visible[at] != 0; }
+};
+
+// Counts of pixels that both truth and the machine see.
+struct ShadowError {
+    int lit = 0, shadowed = 0;  // in truth
+    int false_shadow = 0;       // lit in truth, shadowed in the mask: acne, moire
+    int false_light = 0;        // the reverse: leak, detachment
+
+    double false_shadow_rate() const { return lit ? double(false_shadow) / lit : 0; }
+    double false_light_rate() const { return shadowed ? double(false_light) / shadowed : 0; }
+};
+
+// Over every pixel where `leave_out` (empty or a band) is 0.
+ShadowError shadow_error(const Truth&, const MachineMask&,
+                         std::span<const std::uint8_t> leave_out = {});
+
+// Drawn pixels with drawn 4-neighbours none of which has the same answer.
+int isolated_pixels(const MachineMask&, int size);
+
+// 1 false shadow, -1 false light, 0 right, not seen by both, or left out.
+std::vector<double> error_image(const Truth&, const MachineMask&,
+                                std::span<const std::uint8_t> leave_out = {});
+
+// 1 where truth is lit and the machine drew: where acne and moire are looked for.
+std::vector<std::uint8_t> lit_pixels(const Truth&, const MachineMask&);
+
+// False shadow on one sphere, from the observer's limb (first bin) to the shadow line (last).
+// A lit pixel's place is the azimuth of its normal about the view's up axis; exact for a light
+// in the view's horizontal plane. Pixels outside limb .. line count in the end bins.
+std::vector<ShadowError> limb_to_line_profile(const Truth&, const MachineMask&,
+                                              const TruthScene&, int sphere, const TruthView&,
+                                              const TruthLight&, int bins);
+
+}  // namespace umbra78::tools

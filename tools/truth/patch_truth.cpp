@@ -1,0 +1,297 @@
+#include "tools/truth/patch_truth.hpp"
+
+#ifdef UMBRA78_EMBREE
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+namespace umbra78::tools {
+namespace {
+
+// Bernstein's four weights at t, and their derivatives.
+struct Weights {
+    double at[4], slope[4];
+
+    explicit Weights(double t)
+        : at{(1 - t) * (1 - t) * (1 - t), 3 * t * (1 - t) * (1 - t), 3 * t * t * (1 - t),
+             t * t * t},
+          slope{-3 * (1 - t) * (1 - t), 3 * (1 - t) * (1 - 3 * t), 3 * t * (2 - 3 * t),
+                3 * t * t} {}
+};
+
+struct PatchPoint {
+    Real3 at, along_u, along_v;
+};
+
+struct RealPatch {
+    Real3 control[16];  // (i, j) at 4 j + i
+
+    explicit RealPatch(const raster::Patch& patch) {
+        const auto q16 = [](std::int32_t word) {
+            return std::ldexp(word, -raster::world_fraction);
+        };
+        for (std::size_t k = 0; k < 16; ++k)
+            control[k] = {q16(patch.control[k].x), q16(patch.control[k].y),
+                          q16(patch.control[k].z)};
+    }
+
+    PatchPoint point(double u, double v) const {
+        const Weights a(u), b(v);
+        PatchPoint made{};
+        for (int j = 0; j < 4; ++j) {
+            for (int i = 0; i < 4; ++i) {
+                const Real3& c = control[4 * j + i];
+                made.at = along(made.at, a.at[i] * b.at[j], c);
+                made.along_u = along(made.along_u, a.slope[i] * b.at[j], c);
+                made.along_v = along(made.along_v, a.at[i] * b.slope[j], c);
+            }
+        }
+        return made;
+    }
+
+    // How far triangles with legs 1 / cells in u and v may be from the patch. The second
+    // derivatives are within 6 times the second differences of the control points, 9 times the
+    // mixed ones.
+    double departure(int cells) const {
+        double uu = 0, vv = 0, uv = 0;
+        const auto second = [&](int at, int step) {
+            return length(along(minus(control[at], control[at + step]), 1,
+                                minus(control[at + 2 * step], control[at + step])));
+        };
+        for (int k = 0; k < 4; ++k) {
+            for (int from = 0; from < 2; ++from) {
+                uu = std::max(uu, 6 * second(4 * k + from, 1));
+                vv = std::max(vv, 6 * second(4 * from + k, 4));
+            }
+        }
+        for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 3; ++i) {
+                const Real3* c = control + 4 * j + i;
+                uv = std::max(uv, 9 * length(minus(minus(c[5], c[4]), minus(c[1], c[0]))));
+            }
+        }
+        return (uu + 2 * uv + vv) / (8.0 * cells * cells);
+    }
+
+    double reach() const {
+        double max = 0;
+        for (const Real3& c : control)
+            for (const double x : c) max = std::max(max, std::abs(x));
+        return max;
+    }
+};
+
+struct Release {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+
+// The triangles, geometry k being patch k.
+class Triangles {
+public:
+    Triangles(std::span<const RealPatch> patches, int cells)
+        : cells_(cells), device_(rtcNewDevice(nullptr)) {
+        if (!device_) throw std::runtime_error("Embree has no device");
+        scene_.reset(rtcNewScene(device_.get()));
+        // Rays do not slip through between two triangles.
+        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+        for (const RealPatch& patch : patches) add(patch);
+        rtcCommitScene(scene_.get());
+        if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
+            throw std::runtime_error("Embree could not hold the patches' triangles");
+    }
+
+    struct Hit {
+        std::size_t patch;
+        double t, u, v;
+        Real3 normal;  // of the triangle, any length
+    };
+
+    std::optional<Hit> first(const Ray& ray, double to) const {
+        RTCRayHit hit{};
+        hit.ray = single(ray, to);
+        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcIntersect1(scene_.get(), &context, &hit);
+        if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+        const unsigned cell = hit.hit.primID / 2, columns = static_cast<unsigned>(cells_);
+        const double a = hit.hit.u, b = hit.hit.v;
+        const bool lower = hit.hit.primID % 2 == 0;
+        return Hit{hit.hit.geomID, hit.ray.tfar,
+                   (cell % columns + (lower ? a + b : a)) / cells_,
+                   (cell / columns + (lower ? b : a + b)) / cells_,
+                   {hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z}};
+    }
+
+    bool blocked(const Ray& ray, double to) const {
+        RTCRay shadow = single(ray, to);
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcOccluded1(scene_.get(), &context, &shadow);
+        return shadow.tfar < 0;
+    }
+
+private:
+    static RTCRay single(const Ray& ray, double to) {
+        const auto f = [](double x) { return static_cast<float>(x); };
+        RTCRay made{};
+        made.org_x = f(ray.origin[0]);
+        made.org_y = f(ray.origin[1]);
+        made.org_z = f(ray.origin[2]);
+        made.dir_x = f(ray.direction[0]);
+        made.dir_y = f(ray.direction[1]);
+        made.dir_z = f(ray.direction[2]);
+        made.tfar = f(to);
+        made.mask = ~0u;
+        return made;
+    }
+
+    // A cell's triangles: (0,0) (1,0) (1,1) and (0,0) (1,1) (0,1).
+    void add(const RealPatch& patch) {
+        const std::size_t side = static_cast<std::size_t>(cells_) + 1;
+        const std::size_t quads = static_cast<std::size_t>(cells_) * cells_;
+        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* place = static_cast<float*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    3 * sizeof(float), side * side));
+        auto* corner = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(unsigned), 2 * quads));
+        if (!place || !corner) throw std::runtime_error("Embree is out of memory");
+        for (int j = 0; j <= cells_; ++j)
+            for (int i = 0; i <= cells_; ++i)
+                for (const double x : patch.point(double(i) / cells_, double(j) / cells_).at)
+                    *place++ = static_cast<float>(x);
+        const auto columns = static_cast<unsigned>(side);
+        for (unsigned j = 0; j + 1 < columns; ++j) {
+            for (unsigned i = 0; i + 1 < columns; ++i) {
+                const unsigned at = j * columns + i, above = at + columns;
+                for (const unsigned k : {at, at + 1, above + 1, at, above + 1, above})
+                    *corner++ = k;
+            }
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_.get(), geometry);
+        rtcReleaseGeometry(geometry);
+    }
+
+    int cells_;
+    std::unique_ptr<RTCDeviceTy, Release> device_;
+    std::unique_ptr<RTCSceneTy, Release> scene_;
+};
+
+struct Seen {
+    double t;
+    Real3 normal;  // any length, never zero
+};
+
+// From the triangle's point to the patch's, by Newton's steps for  patch(u, v) = o + t d. Where
+// they leave the triangle's neighbourhood, at a silhouette, the triangle's point stays.
+Seen on_patch(const RealPatch& patch, const Triangles::Hit& hit, const Ray& ray, int cells) {
+    double t = hit.t, u = hit.u, v = hit.v;
+    Real3 normal = hit.normal;
+    for (int step = 0; step < 3; ++step) {
+        const PatchPoint p = patch.point(u, v);
+        const Real3 n = cross(p.along_u, p.along_v);
+        const double nn = dot(n, n), nd = dot(n, ray.direction);
+        // A pole has no tangent plane.
+        const double longest = dot(p.along_u, p.along_u) * dot(p.along_v, p.along_v);
+        if (nn <= 1e-12 * longest || nd == 0) return {hit.t, hit.normal};
+        const Real3 off = minus(along(ray.origin, t, ray.direction), p.at);
+        const double dt = -dot(n, off) / nd;
+        const Real3 in_plane = along(off, dt, ray.direction);
+        t += dt;
+        u += dot(cross(in_plane, p.along_v), n) / nn;
+        v += dot(cross(p.along_u, in_plane), n) / nn;
+        normal = n;
+        if (!(std::abs(u - hit.u) * cells <= 2 && std::abs(v - hit.v) * cells <= 2))
+            return {hit.t, hit.normal};
+    }
+    return {t, normal};
+}
+
+// How far along the ray to the light the first surface that the light sees there is: the light's
+// own ray is met from outside the scene, or from the light.
+double distance_behind(const Triangles& triangles, const Ray& to_light, bool point, double reach) {
+    const Real3 unit = times(1 / length(to_light.direction), to_light.direction);
+    const double away = point ? length(to_light.direction)
+                              : 2 * (reach + length(to_light.origin));
+    const Ray from_light{along(to_light.origin, away, unit), times(-1, unit)};
+    const auto hit = triangles.first(from_light, away);
+    return hit ? away - hit->t : 0;
+}
+
+PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
+                      const TruthLight& light, int cells) {
+    const Triangles triangles(patches, cells);
+    double reach = 0, departure = 0;
+    for (const RealPatch& patch : patches) {
+        reach = std::max(reach, patch.reach());
+        departure = std::max(departure, patch.departure(cells));
+    }
+    PatchTruth made{Truth(view.size), 0, departure + std::ldexp(reach, -20)};
+    Truth& truth = made.truth;
+    for (std::size_t at = 0; at < truth.visible.size(); ++at) {
+        const auto size = static_cast<std::size_t>(view.size);
+        Ray sight = view.ray(static_cast<double>(at % size) + 0.5,
+                             static_cast<double>(at / size) + 0.5);
+        sight.origin = along(sight.origin, view.near_depth, sight.direction);
+        const auto hit = triangles.first(sight, view.far_depth - view.near_depth);
+        if (!hit) continue;
+        const Seen seen = on_patch(patches[hit->patch], *hit, sight, cells);
+        const Real3 position = along(sight.origin, seen.t, sight.direction);
+        const Real3 normal = times(
+            (dot(seen.normal, sight.direction) > 0 ? -1 : 1) / length(seen.normal), seen.normal);
+        truth.see(at, static_cast<int>(hit->patch), view.near_depth + seen.t, position, normal,
+                  light);
+        truth.lit[at] =
+            truth.n_dot_l[at] > 0 &&
+            !triangles.blocked(light.ray(along(position, made.shadow_offset, normal)),
+                               light.reach());
+        if (!truth.lit[at])
+            truth.behind[at] =
+                distance_behind(triangles, light.ray(position), light.point, reach);
+    }
+    return made;
+}
+
+}  // namespace
+
+std::optional<PatchTruth> trace_patches(std::span<const raster::Patch> patches,
+                                        const TruthView& view, const TruthLight& light, int cells) {
+    const std::vector<RealPatch> real(patches.begin(), patches.end());
+    PatchTruth made = trace_once(real, view, light, cells);
+    const Truth coarse = trace_once(real, view, light, cells / 2).truth;
+    std::size_t changed = 0;
+    for (std::size_t at = 0; at < coarse.visible.size(); ++at)
+        changed += coarse.visible[at] != made.truth.visible[at] ||
+                   coarse.lit[at] != made.truth.lit[at];
+    made.estimated_error =
+        static_cast<double>(changed) / static_cast<double>(coarse.visible.size());
+    return made;
+}
+
+bool traces_patches() { return true; }
+
+}  // namespace umbra78::tools
+
+#else
+
+namespace umbra78::tools {
+
+std::optional<PatchTruth> trace_patches(std::span<const raster::Patch>, const TruthView&,
+                                        const TruthLight&, int) {
+    return std::nullopt;
+}
+
+bool traces_patches() { return false; }
+
+}  // namespace umbra78::tools
+
+#endif

@@ -1,0 +1,51 @@
+// A loaded scene's truth, and how far a drawn mask is from it.
+//
+// Spheres and planes have a closed form. A scene with free patches has none: its truth is traced
+// by tools/truth/patch_truth.hpp, and no errors are given for it where that is left out.
+#pragma once
+
+#include "tools/scene/scene_file.hpp"
+#include "tools/truth/edge_bands.hpp"
+#include "tools/truth/edge_distance.hpp"
+#include "tools/truth/metrics.hpp"
+
+#include <optional>
+
+namespace umbra78::tools {
+
+struct SceneTruth {
+    TruthScene scene;
+    TruthView observer, light_view;
+    TruthLight light;
+    Truth truth;
+    // Pixels of a plane or a free patch seen from its unlit side: dark by its shading, whatever
+    // the mask says.
+    std::vector<std::uint8_t> unlit_side;
+    bool closed_form = true;        // otherwise `scene` holds the spheres and planes only
+    double tessellation_error = 0;  // PatchTruth's estimate
+};
+
+// Traced at the settings' resolution; nothing for a scene with free patches without
+// Embree.
+std::optional<SceneTruth> trace(const LoadedScene&);
+
+TruthView truth_view(const raster::View&, int size_px);
+
+// `outside_band` leaves out one light texel mapped back to the observer, and the mask's filter.
+struct ShadowReport {
+    ShadowError all, outside_band;
+    EdgeDistance edge{};
+    int isolated_pixels = 0;
+    int threshold = 128;
+    std::optional<double> tessellation_error;  // where truth is no closed form: see PatchTruth
+};
+
+Band light_texel_band(const SceneTruth&);            // without a filter's reach
+Band widened(const Band&, const SceneTruth&, const shadow::Settings&);  // with it
+
+// The reach of the mask's filters, for the band: a pixel for each low-pass and one for the edges.
+double filter_radius_px(const shadow::Settings&);
+
+ShadowReport report(const SceneTruth&, const MachineMask&, const Band&);
+
+}  // namespace umbra78::tools

@@ -1,0 +1,67 @@
+// The words of each unit of the post-process, for a pixel's trace.
+//
+// A function is called behind the cycle it tells of, with the point as the unit then has it.
+#pragma once
+
+#include "tools/watch/trace_log.hpp"
+#include "tools/watch/watched_frame.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace umbra78::tools {
+
+// What all of them read.
+struct TracedPoint {
+    const shadow::Settings& settings;
+    const shadow::PostProcessPipeline& plan;
+    const shadow::Flight& flight;
+
+    const hw::MachineSpec& spec() const { return settings.machine; }
+    const hw::MatrixWords& matrix() const { return plan.transform.matrix(); }
+};
+
+inline constexpr const char* row_names[] = {"X", "Y", "Z", "W"};
+
+// --- trace_inputs.cpp: what enters
+
+void trace_matrix(TraceLog&, const shadow::Settings&, const hw::MatrixWords&);
+// `read` holds the cycles the reader spent on the pixel. Throws std::logic_error if the words made
+// from these bytes are not the machine's.
+void trace_noise(TraceLog&, const TracedPoint&, const std::vector<std::uint64_t>& read,
+                 std::uint64_t let_go);
+void trace_words(TraceLog&, const TracedPoint&, std::uint64_t let_go);
+
+// --- trace_transform.cpp: steps 0 .. latency - 1 of the unit
+
+class TransformTrace {
+public:
+    void step(TraceLog&, const TracedPoint&, int step, std::uint64_t cycle);
+
+private:
+    void products(TraceLog&, const TracedPoint&, int turn);
+    void sums(TraceLog&, const TracedPoint&, int turn) const;
+    void accumulators(TraceLog&, const TracedPoint&, int turn) const;
+    void results(TraceLog&, const TracedPoint&, int turn) const;
+
+    std::vector<std::array<std::int64_t, 4>> sums_;  // by multiply cycle, and row
+};
+
+// --- trace_divider.cpp: steps of the divider
+
+void trace_divide(TraceLog&, const TracedPoint&, int step, std::uint64_t cycle);
+
+// --- trace_lookup.cpp: a stage each; `step` counts a stage's own cycles
+
+void trace_place(TraceLog&, const TracedPoint&);
+void trace_fetch(TraceLog&, const TracedPoint&, int step);
+void trace_interpolate(TraceLog&, const TracedPoint&, int step);
+void trace_compare(TraceLog&, const TracedPoint&);
+void trace_write(TraceLog&, const TracedPoint&, std::uint8_t mask);
+
+// --- trace_filters.cpp: behind the machine, from the frame's buffers
+
+// Throws std::logic_error where a buffer is not what the formula gives.
+void trace_filters(TraceLog&, const WatchedFrame&, const RenderJob&, int x, int y);
+
+}  // namespace umbra78::tools

@@ -1,0 +1,45 @@
+#include "tools/watch/watched_frame.hpp"
+
+#include "tools/scene/scene_error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace umbra78::tools {
+namespace {
+
+std::vector<hw::Depth32> copy_of(const Buffer& plane) {
+    std::vector<hw::Depth32> codes(plane.pixels());
+    for (std::size_t k = 0; k < codes.size(); ++k) codes[k] = plane.at(k);
+    return codes;
+}
+
+}  // namespace
+
+WatchedFrame::WatchedFrame(const shadow::Settings& settings,
+                           const hw::MatrixWords& observer_to_light,
+                           std::vector<hw::Depth32> observer, std::vector<hw::Depth32> light)
+    : settings_(settings), matrix_(observer_to_light), observer_depth_(std::move(observer)),
+      light_depth_(std::move(light)), intensity_(observer_depth_.size()),
+      mask_(observer_depth_.size()),
+      observer_{settings_.machine.xy_bits, observer_depth_, intensity_},
+      light_{settings_.machine.xy_bits, light_depth_, {}} {}
+
+WatchedFrame::WatchedFrame(const RenderJob& job)
+    : WatchedFrame(job.settings(), job.matrices().observer_to_light,
+                   copy_of(job.buffer(Plane::observer_z)), copy_of(job.buffer(Plane::light_z))) {
+    if (settings_.form == shadow::Form::correct)
+        throw SceneError("the correct form has no post-process to watch; give --set "
+                         "form=post_process");
+    if (settings_.arithmetic == shadow::Arithmetic::ap120b)
+        throw SceneError("only the fixed-point machine can be watched; give --set "
+                         "arithmetic=fixed");
+    const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
+    std::copy(drawn.begin(), drawn.end(), intensity_.begin());
+}
+
+std::unique_ptr<WatchedFrame::Machine> WatchedFrame::machine() {
+    return std::make_unique<Machine>(observer_, light_, matrix_, settings_, mask_);
+}
+
+}  // namespace umbra78::tools
