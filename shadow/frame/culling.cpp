@@ -26,7 +26,8 @@ Seen patch_bounds(const raster::Patch& patch, const FrameInputs& in,
         if (sight == raster::Sight::outside) return Seen::outside;
         if (sight == raster::Sight::both) return Seen::unknown;
     }
-    return raster::block_action(bounds, spec) == BlockAction::outside ? Seen::outside : Seen::within;
+    const bool outside = raster::block_action(bounds, spec) == BlockAction::outside;
+    return outside ? Seen::outside : Seen::within;
 }
 
 // Input words of the unit, both ends inclusive.

@@ -160,7 +160,8 @@ FrameLedger frame_ledger(const Scene& scene, const Settings& s, const FrameMatri
             : schedule<Depth>(frame.observer.depth, m.background(), plan.read_cycles,
                               plan.slot_cycles);
     if (l.on_array) {
-        l.array = array_cost(counts.post_process, s, s.array_memory, matrices.observer_to_light.affine);
+        l.array = array_cost(counts.post_process, s, s.array_memory,
+                             matrices.observer_to_light.affine);
     } else {
         l.post_process = closed_form(plain, plan);
     }
