@@ -1,20 +1,34 @@
-// The one end of a broken contract: bad width, bad shift, overflow that was ruled out.
+// What happens when a precondition is broken: a bad width, a bad shift, an overflow that was
+// ruled out. There is nothing to return, so the program stops, and says why if it can.
 //
-//   in constant evaluation   trap() is not constexpr, so reaching it is a compile error
-//   at run time              the program stops at the trap instruction, `why` in a register
+//   in a constant expression   trap() is not constexpr, so reaching it is a compile error
+//   at run time                umbra78_trapped(why) is called if the program defines it; if it is
+//                              not defined, or returns, the trap instruction stops the program
 //
-// There are no exceptions and no I/O in the integer rooms, so there is nothing to catch or print:
-// the text is for the compiler's message, the debugger and the reader.
+// The hook. The integer rooms have neither I/O nor exceptions, so they leave the reporting to
+// the program. A program that wants a message defines, in one of its own sources,
+//
+//   extern "C" void umbra78_trapped(const char* why) { std::fprintf(stderr, "%s\n", why); }
+//
+// The hook may also throw, and this is how a binding to another language turns a broken
+// precondition into an exception: no function of the core is noexcept or keeps a resource, so
+// the exception passes through it. The core must then be compiled with unwind tables
+// (-funwind-tables; the default on x86-64 and AArch64). What the call had begun to write is left
+// half written. The hook must not itself be noexcept.
 #pragma once
+
+// A weak reference: its address is null in a program that does not define the function.
+extern "C" [[gnu::weak]] void umbra78_trapped(const char* why);
 
 namespace umbra78::fixed {
 
-[[noreturn]] inline void trap(const char* why) {
-    (void)why;
+// Out of line, so that a check costs its caller a comparison and a jump.
+[[noreturn, gnu::cold, gnu::noinline]] inline void trap(const char* why) {
+    if (umbra78_trapped != nullptr) umbra78_trapped(why);
     __builtin_trap();
 }
 
-// require(condition, why): the usual spelling of a precondition.
+// require(condition, why): the usual form of a precondition.
 constexpr void require(bool condition, const char* why) {
     if (!condition) [[unlikely]] {
         trap(why);
