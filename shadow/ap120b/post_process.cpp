@@ -36,14 +36,10 @@ bool bilinear(const LightMap<Depth>& map, const Float38& x, const Float38& y, co
     const Float38 cx = x + half, cy = y + half;
     const int tx = texel_of(cx), ty = texel_of(cy);
     const Float38 fx = cx - whole(tx), fy = cy - whole(ty);
-    const std::uint32_t z00 = map.texel(tx - 1, ty - 1), z10 = map.texel(tx, ty - 1);
-    const std::uint32_t z01 = map.texel(tx - 1, ty), z11 = map.texel(tx, ty);
-    const std::uint32_t none = map.spec.background();
-    if (map.background == Background::fall_back &&
-        (z00 == none || z10 == none || z01 == none || z11 == none))
-        return nearest(map, x, y, k);
-    const Float38 upper = between(whole(z00), whole(z10), fx);
-    const Float38 lower = between(whole(z01), whole(z11), fx);
+    const FourCodes z = map.four(tx - 1, ty - 1);
+    if (falls_back(map.spec, map.background, z)) return nearest(map, x, y, k);
+    const Float38 upper = between(whole(z[0]), whole(z[1]), fx);
+    const Float38 lower = between(whole(z[2]), whole(z[3]), fx);
     return k > between(upper, lower, fy);
 }
 

@@ -25,8 +25,7 @@ class LookupPipeline {
 public:
     explicit LookupPipeline(const TimedTest& s)
         : spec(s.machine), background(s.background),
-          blends(s.lookup == Lookup::bilinear && s.machine.fraction_bits > 0),
-          banks(s.timing.light_banks) {
+          blends(interpolates(s.machine, s.lookup)), banks(s.timing.light_banks) {
         const int products = 6;
         interpolate_cycles_ = (products + s.machine.multipliers - 1) / s.machine.multipliers;
     }
@@ -56,25 +55,22 @@ struct LookupRegisters {
     bool outside = false;                 // lit without a look
     std::int32_t tx = 0, ty = 0;          // the texel, or the upper left of four
     std::int32_t fx = 0, fy = 0;          // 0 .. 2^F - 1
-    std::array<std::uint32_t, 4> texel{};  // (0,0) (1,0) (0,1) (1,1)
+    FourCodes texel{};                    // (0,0) (1,0) (0,1) (1,1); or the first alone
     std::int64_t upper = 0, lower = 0, blend = 0;
     bool shadow = false;
 
     void place(const LookupPipeline& plan, const hw::Point& p, const hw::DitherWords& d) {
-        const hw::MachineSpec& m = plan.spec;
-        const std::int64_t edge = std::int64_t{m.half_px()} << m.fraction_bits;
-        x = p.x + d.x;
-        y = p.y + d.y;
-        code = p.z + m.depth_offset();
-        outside = p.status != hw::DivideStatus::ok || x < -edge || x >= edge || y < -edge ||
-                  y >= edge || code < 0 || code > m.deepest_drawn();
+        const LightPlace at = light_place(plan.spec, p, d);
+        x = at.x;
+        y = at.y;
+        code = at.code;
+        outside = !at.inside;
         if (outside) return;
-        const std::int64_t one = std::int64_t{1} << m.fraction_bits;
-        const std::int64_t back = plan.blends ? one / 2 : 0;
-        tx = static_cast<std::int32_t>((x - back) >> m.fraction_bits) + m.half_px();
-        ty = static_cast<std::int32_t>((y - back) >> m.fraction_bits) + m.half_px();
-        fx = static_cast<std::int32_t>((x - back) & (one - 1));
-        fy = static_cast<std::int32_t>((y - back) & (one - 1));
+        const TexelPlace t = texel_place(plan.spec, plan.blends, x, y);
+        tx = t.x;
+        ty = t.y;
+        fx = t.fx;
+        fy = t.fy;
     }
 
     template <class Depth>
@@ -88,35 +84,20 @@ struct LookupRegisters {
     // On the last cycle all six products are there.
     void interpolate(const LookupPipeline& plan, int cycle) {
         if (outside || cycle < plan.interpolate_cycles() - 1) return;
-        const std::int64_t one = std::int64_t{1} << plan.spec.fraction_bits;
-        upper = (one - fx) * texel[0] + fx * std::int64_t{texel[1]};
-        lower = (one - fx) * texel[2] + fx * std::int64_t{texel[3]};
-        blend = (one - fy) * upper + fy * lower;
+        const Blend b = blend_of(plan.spec, fx, fy, texel);
+        upper = b.upper;
+        lower = b.lower;
+        blend = b.z;
     }
 
     void compare(const LookupPipeline& plan) {
-        const int f = plan.spec.fraction_bits;
         shadow = false;
         if (outside) return;
-        if (plan.blends && !falls_back(plan)) {
-            shadow = code * (std::int64_t{1} << (2 * f)) > blend;
+        if (plan.blends && !falls_back(plan.spec, plan.background, texel)) {
+            shadow = blend_scale(plan.spec, code) > blend;
         } else {
-            // The texel the point lies in is the first, or of the four the one nearest.
-            const int k = plan.blends ? nearest_of_four(f) : 0;
-            shadow = code > texel[static_cast<std::size_t>(k)];
+            shadow = code > texel[plan.blends ? nearest_of_four(plan.spec, fx, fy) : 0];
         }
-    }
-
-private:
-    bool falls_back(const LookupPipeline& plan) const {
-        if (plan.background != Background::fall_back) return false;
-        for (const std::uint32_t t : texel)
-            if (t == plan.spec.background()) return true;
-        return false;
-    }
-    int nearest_of_four(int f) const {
-        const int half = 1 << (f - 1);
-        return (fx >= half ? 1 : 0) + (fy >= half ? 2 : 0);
     }
 };
 

@@ -2,7 +2,7 @@
 
 #include "fixed/trap.hpp"
 #include "hw/noise_source.hpp"
-#include "shadow/clocked/lookup_texels.hpp"
+#include "shadow/light_place.hpp"
 #include "shadow/post_process.hpp"
 
 #include <algorithm>

@@ -14,13 +14,13 @@ int blend_bits(const hw::MachineSpec& m) { return m.z_bits + 2 * m.fraction_bits
 void say_outside(TraceLog& log, const TracedPoint& p) {
     const hw::MachineSpec& m = p.spec();
     const shadow::LookupRegisters& l = p.flight.lookup;
-    const std::int64_t edge = std::int64_t{m.half_px()} << m.fraction_bits;
-    const auto beyond = [&](std::int64_t v) { return v < -edge || v >= edge; };
     if (p.flight.point.status != hw::DivideStatus::ok)
         return log.say("there is no quotient: lit, and nothing is read");
-    if (beyond(l.x)) log.say("X is outside the light's volume: lit, and nothing is read");
-    if (beyond(l.y)) log.say("Y is outside the light's volume: lit, and nothing is read");
-    if (l.code < 0 || l.code > m.deepest_drawn())
+    if (!shadow::inside_width(m, l.x))
+        log.say("X is outside the light's volume: lit, and nothing is read");
+    if (!shadow::inside_width(m, l.y))
+        log.say("Y is outside the light's volume: lit, and nothing is read");
+    if (!shadow::inside_depth(m, l.code))
         log.say("k is outside the light's volume: lit, and nothing is read");
 }
 
@@ -30,7 +30,7 @@ void trace_place(TraceLog& log, const TracedPoint& p) {
     const hw::MachineSpec& m = p.spec();
     const shadow::LookupRegisters& l = p.flight.lookup;
     const int f = m.fraction_bits, bits = m.xy_bits + f + 2;
-    const std::int64_t edge = std::int64_t{m.half_px()} << f;
+    const std::int64_t edge = shadow::volume_edge(m);
     const bool dithers = p.plan.dithers;
     log.word("X", signed_word(l.x, bits, f), dithers ? "R_X + dither_X" : "R_X");
     log.word("Y", signed_word(l.y, bits, f), dithers ? "R_Y + dither_Y" : "R_Y");
@@ -56,11 +56,11 @@ void trace_fetch(TraceLog& log, const TracedPoint& p, int step) {
     const shadow::LookupRegisters& l = p.flight.lookup;
     if (l.outside) return;
     const shadow::LookupPipeline& plan = p.plan.lookup;
-    const int each = plan.blends ? plan.banks : 1, size = p.spec().size_px();
+    const int each = plan.blends ? plan.banks : 1;
     for (int k = step * each; k < (step + 1) * each; ++k) {
         const int x = l.tx + (k & 1), y = l.ty + (k >> 1);
         const std::uint32_t code = l.texel[static_cast<std::size_t>(k)];
-        const bool beyond = x < 0 || y < 0 || x >= size || y >= size;
+        const bool beyond = !shadow::on_map(p.spec(), x, y);
         log.word(fmt::format("z({},{})", x, y), unsigned_word(code, p.spec().z_bits),
                  beyond                            ? "beyond the map's edge: background"
                  : code == p.spec().background()   ? "the light map's code: background"
@@ -96,19 +96,14 @@ void trace_compare(TraceLog& log, const TracedPoint& p) {
     const shadow::LookupPipeline& plan = p.plan.lookup;
     std::size_t texel = 0;
     if (plan.blends) {
-        const bool falls_back =
-            plan.background == shadow::Background::fall_back &&
-            (l.texel[0] == m.background() || l.texel[1] == m.background() ||
-             l.texel[2] == m.background() || l.texel[3] == m.background());
-        if (!falls_back) {
+        if (!shadow::falls_back(m, plan.background, l.texel)) {
             const int f = m.fraction_bits;
-            log.word("k q^2", unsigned_word(l.code << (2 * f), blend_bits(m), 2 * f),
+            log.word("k q^2", unsigned_word(shadow::blend_scale(m, l.code), blend_bits(m), 2 * f),
                      "the point's side");
             log.word("blend", unsigned_word(l.blend, blend_bits(m), 2 * f), "the light map's side");
             return log.word("shadow", unsigned_word(l.shadow, 1), "k q^2 > blend");
         }
-        const int half = 1 << (m.fraction_bits - 1);
-        texel = (l.fx >= half ? 1u : 0u) + (l.fy >= half ? 2u : 0u);
+        texel = shadow::nearest_of_four(m, l.fx, l.fy);
         log.say("one of the four is background: falls back to the nearest texel");
     }
     log.word("k", unsigned_word(l.code, m.z_bits), "the point's side");

@@ -2,7 +2,7 @@
 // memory nanosecond by nanosecond (tests/hw/memory/slow_dram.hpp).
 #pragma once
 
-#include "shadow/clocked/lookup_texels.hpp"
+#include "shadow/light_place.hpp"
 #include "shadow/frame/settings.hpp"
 #include "tests/hw/memory/slow_dram.hpp"
 
