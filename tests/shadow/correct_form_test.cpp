@@ -4,6 +4,8 @@
 
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
+#include "tests/shadow/slow_lookup.hpp"
+#include "tests/shadow/slow_point.hpp"
 #include "tests/support/buffers.hpp"
 
 #include <gtest/gtest.h>
@@ -19,6 +21,7 @@ namespace {
 using test::FigureScene;
 using test::Frame;
 using test::Random;
+using test::describe;
 
 // The level of the figures' material without direct light: 215 x 90 / 256, rounded half up.
 constexpr int ambient_level = (215 * 90 + 128) / 256;
@@ -237,6 +240,62 @@ TEST_F(Sink, OrderChangesNothing) {
             ASSERT_EQ(draw(points), first) << "round " << round;
         }
     }
+}
+
+// A sample's x and y as section 12 has them: less half a pixel in index registration, rounded half
+// up to the input words' fraction. Samples have 13 fraction bits.
+test::SlowWords sample_words(const ShadowTest& s, const raster::Sample& at, std::uint32_t code) {
+    const int corner = s.registration == Registration::index ? 1 << 12 : 0;
+    const auto word = [&](std::int32_t v) {
+        return test::model_round((v - corner) * test::two_to(test::slow_input_fraction(s.machine)),
+                                 test::two_to(13), fixed::Rounding::half_up);
+    };
+    return {word(at.x), word(at.y), test::slow_z_word(s.machine, code)};
+}
+
+// Any sample of any pixel, through any matrix, against the slow models: each pixel of a frame gets
+// one sample of its own, wherever it lies, at words' ties as well as between them.
+TEST(CorrectSink, EverySampleIsTheSlowModels) {
+    Random random;
+    int shadowed = 0, lit = 0;
+    for (int round = 0; round < 200; ++round) {
+        Settings s = test::random_settings(random, false);
+        const hw::MachineSpec& m = s.machine;
+        test::OwnedStore<hw::Depth32> observer(m.xy_bits), light(m.xy_bits);
+        observer.store.clear(m);
+        test::fill_depth(random, m, light.depth);
+        std::vector<std::uint8_t> mask(observer.depth.size(), mask_lit);
+        const hw::MatrixWords matrix = test::random_matrix(random, m, random.bits() % 2 == 0);
+        const hw::TransformUnit unit(m, matrix);
+        const LightMap<hw::Depth32> map{light.store, m, s.lookup, s.background};
+        CorrectSink<hw::Depth32> sink(observer.store, map, unit, s, mask);
+        raster::ShadingSpec shading;
+        const raster::BlockShading flat({}, shading, {});
+        const test::SlowNoise noise(s.dither, m);
+        const std::int64_t edge = std::int64_t{m.half_px()} << 13;
+        for (int n = 0; n < 300; ++n) {
+            const auto a = static_cast<std::size_t>(
+                random.between(0, static_cast<std::int64_t>(observer.depth.size()) - 1));
+            const auto code = static_cast<std::uint32_t>(random.between(0, m.deepest_drawn()));
+            const int px = static_cast<int>(a) % m.size_px(), py = static_cast<int>(a) / m.size_px();
+            const auto place = [&] {
+                const std::int64_t v = random.between(-edge, edge - 1);
+                return static_cast<std::int32_t>(random.bits() % 2 == 0 ? v & ~std::int64_t{31}
+                                                                        : v);
+            };
+            const raster::Sample sample{px, py, place(), place(), 0, 8, 8};
+            observer.depth[a] = m.background();
+            sink.sample(sample, code, &flat);
+            const bool expected = test::slow_in_shadow(
+                map, test::slow_transform(matrix, m, sample_words(s, sample, code)),
+                noise.words(a));
+            ASSERT_EQ(mask[a], expected ? 255 : 0) << "round " << round << " " << describe(s);
+            ASSERT_EQ(observer.depth[a], code);
+            ++(expected ? shadowed : lit);
+        }
+    }
+    EXPECT_GT(shadowed, 5000);
+    EXPECT_GT(lit, 5000);
 }
 
 }  // namespace

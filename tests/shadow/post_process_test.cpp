@@ -6,6 +6,7 @@
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
 #include "tests/shadow/slow_lookup.hpp"
+#include "tests/shadow/slow_point.hpp"
 #include "tests/support/buffers.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,6 @@ namespace umbra78::shadow {
 namespace {
 
 using fixed::Rounding;
-using fixed::test::model_round;
-using test::Int128;
 using test::OwnedStore;
 using test::Random;
 using test::describe;
@@ -35,71 +34,6 @@ void expect_same(const std::vector<std::uint8_t>& expected, const std::vector<st
 
 // --- the slow model -----------------------------------------------------------------------------
 
-// The noise register's stream from its recurrence, one bit at a time, and a pixel's two words.
-class SlowNoise {
-public:
-    SlowNoise(const hw::Dither& d, const hw::MachineSpec& m)
-        : k_(hw::uniforms(d.shape)), dither_(d), fraction_(m.fraction_bits),
-          bit_((std::size_t{16} << (2 * m.xy_bits)) * static_cast<std::size_t>(k_)) {
-        for (std::size_t n = 0; n < bit_.size(); ++n)
-            bit_[n] = n < 31 ? (d.seed >> n & 1) != 0 : bit_[n - 31] != bit_[n - 28];
-    }
-    hw::DitherWords words(std::size_t pixel) const {
-        if (k_ == 0) return {0, 0};
-        const std::size_t first = pixel * 16 * static_cast<std::size_t>(k_);
-        return {word(first), word(first + 8 * static_cast<std::size_t>(k_))};
-    }
-
-private:
-    std::int32_t word(std::size_t first) const {
-        Int128 sum = 0;
-        for (std::size_t i = 0; i < 8 * static_cast<std::size_t>(k_); ++i)
-            sum += bit_[first + i] ? 1 << i % 8 : 0;
-        const Int128 amplitude = model_round(Int128{dither_.size_q8} << (fraction_ + 16),
-                                             Int128{256 * 512} * k_, Rounding::half_up);
-        return static_cast<std::int32_t>(
-            model_round((2 * sum - 255 * k_) * amplitude, 1 << 16, Rounding::half_up));
-    }
-    int k_;
-    hw::Dither dither_;
-    int fraction_;
-    std::vector<bool> bit_;
-};
-
-Int128 two_to(int n) { return Int128{1} << n; }
-
-// One pixel through the matrix as exact fractions, each coordinate rounded once.
-hw::Point slow_transform(const hw::MatrixWords& m, const Settings& s, int px, int py,
-                         std::uint32_t code) {
-    const hw::MachineSpec& spec = s.machine;
-    const int half_px = s.registration == Registration::centre ? 1 : 0;
-    // Pixels from the centre, times 2^in; `in` fraction bits hold a half pixel and a quantum.
-    const int in = std::max(spec.z_bits - spec.xy_bits, 1);
-    const auto screen = [&](int p) {
-        return (Int128{2} * (p - spec.half_px()) + half_px) * two_to(in - 1);
-    };
-    const Int128 z = (Int128{code} - two_to(spec.z_bits - 1)) *
-                     two_to(in + spec.xy_bits - spec.z_bits);
-    const Int128 one = two_to(spec.xy_bits + in - 2);
-    const std::array<Int128, 4> v{screen(px), screen(py), z, one};
-    std::array<Int128, 4> sum{};
-    for (std::size_t r = 0; r < 4; ++r)
-        for (std::size_t c = 0; c < 4; ++c) sum[r] += m.word[r][c] * v[c];
-    if (!m.affine && sum[3] <= 0)
-        return {0, 0, 0, hw::DivideStatus::divisor_not_positive};
-    const auto result = [&](std::size_t r, int fraction) {
-        // affine: sum 2^(e - (C - 2) - in + fraction), else sum_r 2^(e_r - e_w + fraction) / sum_w
-        const int up = m.affine ? m.exponent[r] - (spec.coefficient_bits - 2) - in + fraction
-                                : m.exponent[r] - m.exponent[3] + fraction;
-        const Int128 divisor = m.affine ? Int128{1} : sum[3];
-        return static_cast<std::int64_t>(model_round(sum[r] * two_to(std::max(up, 0)),
-                                                     divisor * two_to(std::max(-up, 0)),
-                                                     spec.transform_rounding));
-    };
-    return {result(0, spec.fraction_bits), result(1, spec.fraction_bits),
-            result(2, spec.z_bits - spec.xy_bits), hw::DivideStatus::ok};
-}
-
 TEST(PostProcess, IsTheSlowModel) {
     Random random;
     std::uint64_t shadowed = 0;
@@ -113,15 +47,17 @@ TEST(PostProcess, IsTheSlowModel) {
         test::fill_depth(random, m, light.depth);
         const hw::MatrixWords matrix = test::random_matrix(random, m, random.bits() % 2 == 0);
         const LightMap<hw::Depth32> map{light.store, m, s.lookup, s.background};
-        const SlowNoise noise(s.dither, m);
+        const test::SlowNoise noise(s.dither, m);
 
         std::vector<std::uint8_t> expected(pixels), mask(pixels, 7);
         PostProcessCounts count;
         for (std::size_t a = 0; a < pixels; ++a) {
             if (observer.depth[a] == m.background()) continue;
             ++count.visible;
-            const hw::Point p = slow_transform(matrix, s, static_cast<int>(a % 16),
-                                               static_cast<int>(a / 16), observer.depth[a]);
+            const hw::Point p = test::slow_transform(
+                matrix, m,
+                test::slow_words(s, static_cast<int>(a % 16), static_cast<int>(a / 16),
+                                 observer.depth[a]));
             if (!test::slow_in_shadow(map, p, noise.words(a))) continue;
             ++count.shadowed;
             expected[a] = 255;
@@ -134,6 +70,50 @@ TEST(PostProcess, IsTheSlowModel) {
         shadowed += got.shadowed;
     }
     EXPECT_GT(shadowed, 2000u) << "too little in shadow for a test";
+}
+
+// Work that can change nothing changes nothing: constant products and the W row anew for each
+// point, the division by a constant, noise that is silent, and pixels where nothing was drawn. The
+// background's code lies in the light's volume here, in front of which others are drawn, so a
+// background pixel would be in shadow.
+TEST(PostProcess, WorkForNothingChangesNothing) {
+    Random random;
+    std::uint64_t background_in_shadow = 0;
+    for (int round = 0; round < 80 && !HasFailure(); ++round) {
+        Settings s = test::random_settings(random, false);
+        s.machine.xy_bits = 4;
+        OwnedStore<hw::Depth32> observer(4), light(4);
+        test::fill_depth(random, s.machine, observer.depth);
+        test::fill_depth(random, s.machine, light.depth);
+        const hw::MatrixWords matrix = test::random_matrix(random, s.machine, true);
+        std::vector<std::uint8_t> plain(256, 1), more(256, 2);
+        const PostProcessCounts a = post_process(observer.store, light.store, matrix, s, plain);
+        for (int bits = 0; bits < 16; ++bits) {
+            PostProcessWork work;
+            work.unit.constant_product = (bits & 1) != 0;
+            work.unit.w_row = (bits & 2) != 0;
+            work.background = (bits & 4) != 0;
+            work.noise = (bits & 8) != 0 || needed_work(s).noise;
+            const PostProcessCounts b =
+                post_process(observer.store, light.store, matrix, s, work, more);
+            expect_same(plain, more, 16, describe(s));
+            EXPECT_EQ(b.shadowed, a.shadowed);
+            EXPECT_EQ(b.visible, work.background ? 256 : a.visible);
+        }
+        const LightMap<hw::Depth32> map{light.store, s.machine, s.lookup, s.background};
+        const test::SlowNoise noise(s.dither, s.machine);
+        for (std::size_t k = 0; k < 256; ++k)
+            background_in_shadow +=
+                observer.depth[k] == s.machine.background() &&
+                test::slow_in_shadow(
+                    map,
+                    test::slow_transform(matrix, s.machine,
+                                         test::slow_words(s, static_cast<int>(k % 16),
+                                                          static_cast<int>(k / 16),
+                                                          observer.depth[k])),
+                    noise.words(k));
+    }
+    EXPECT_GT(background_in_shadow, 300u) << "too few for a test";
 }
 
 // --- plain against rows -------------------------------------------------------------------------
@@ -272,6 +252,15 @@ TEST(PostProcessRows, CoverWhatTheySay) {
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.xy_bits = 10; })) << "wider than a row";
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.z_bits = 17; }));
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.coefficient_bits = 17; }));
+    // 35 bits: with one bit less a product is cut, and is no sum of shares.
+    for (const int bits : {16, 33, 34, 35, 36, 64})
+        EXPECT_EQ(covers([&](Settings& s, W&) { s.machine.max_accumulator_bits = bits; }),
+                  bits >= 35) << bits;
+    for (int xy = 4; xy <= 12; ++xy)
+        EXPECT_EQ(covers([&](Settings& s, W&) {
+            s.machine.xy_bits = xy;
+            s.machine.z_bits = 15;
+        }), xy <= 9) << xy;
     for (int f = 0; f <= 12; ++f)
         EXPECT_EQ(covers([&](Settings& s, W&) { s.machine.fraction_bits = f; }), f >= 1 && f <= 7)
             << f;

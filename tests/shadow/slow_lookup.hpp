@@ -1,17 +1,20 @@
-// An independent model of lookup and comparison: every texel of the map takes part, with a tent of
-// two texels' width as its weight, in 128-bit integers of half a position step.
+// Independent models of the lookup, in 128-bit integers. The comparison: every texel of the map
+// takes part, with a tent of two texels' width as its weight. The addresses: section 17's list.
 //
-// Nothing is shared with shadow/compare.hpp but the meaning: there a point's four texels are found
-// by shifts and masks, here by their weights.
+// Nothing is shared with shadow/light_place.hpp but the meaning: there a point's four texels are
+// found by shifts and masks, here by their weights and by divisions.
 #pragma once
 
 #include "shadow/compare.hpp"
+#include "tests/fixed/boundary.hpp"
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace umbra78::shadow::test {
 
-__extension__ using Int128 = __int128;
+using fixed::test::Int128;
 
 inline Int128 floor_divide(Int128 a, Int128 b) { return a / b - (a % b != 0 && a < 0 ? 1 : 0); }
 
@@ -54,6 +57,29 @@ bool slow_in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::Di
             if (w != 0) sum += w * texel(i, j);
         }
     return code * weights > sum;
+}
+
+// The texels that the comparison reads, (x, y) in order: none outside the light's volume, the one
+// that the point lies in, or those of the four nearest centres that are on the map.
+inline std::vector<std::pair<int, int>> slow_texels(const hw::MachineSpec& m, Lookup lookup,
+                                                    const hw::Point& p,
+                                                    const hw::DitherWords& d) {
+    std::vector<std::pair<int, int>> texels;
+    const Int128 one = Int128{1} << m.fraction_bits, half = Int128{1} << (m.xy_bits - 1);
+    const Int128 x = Int128{p.x} + d.x + half * one, y = Int128{p.y} + d.y + half * one;
+    const Int128 code = Int128{p.z} + (Int128{1} << (m.z_bits - 1));
+    if (p.status != hw::DivideStatus::ok || x < 0 || y < 0 || x >= 2 * half * one ||
+        y >= 2 * half * one || code < 0 || code > (Int128{1} << m.z_bits) - 2)
+        return texels;
+    if (lookup == Lookup::nearest || m.fraction_bits == 0)
+        return {{static_cast<int>(x / one), static_cast<int>(y / one)}};
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            const auto tx = static_cast<int>(floor_divide(2 * x - one, 2 * one)) + i;
+            const auto ty = static_cast<int>(floor_divide(2 * y - one, 2 * one)) + j;
+            if (tx >= 0 && ty >= 0 && tx < 2 * half && ty < 2 * half) texels.push_back({tx, ty});
+        }
+    return texels;
 }
 
 }  // namespace umbra78::shadow::test

@@ -304,13 +304,20 @@ TEST(ArrayMemory, AScanLineRunsInPlaceOnTheProcessor) {
                 << k << " " << r;
 }
 
-TEST(ArrayMemory, MapHoldsEveryLineAndTheLightMapDoesNotFit) {
-    for (int bits = 4; bits <= 12; ++bits) {
-        const ArrayMemoryMap m = array_memory_map(1 << bits);
-        EXPECT_EQ(m.points % 2, 0u);
-        EXPECT_LE(m.end, hw::ap120b::memory_words) << bits;
-    }
-    EXPECT_GT(512u * 512u / 2, hw::ap120b::memory_words) << "even with two codes a word";
+// hw/MACHINE.md, section 18: the table of a scan line's memory, for the narrowest frame, 1978's and
+// the widest; 64K words.
+TEST(ArrayMemory, MapIsPublished) {
+    const auto map = [](int pixels) {
+        const ArrayMemoryMap m = array_memory_map(pixels);
+        return std::array{m.constants, m.points, m.dither, m.texels,
+                          m.fractions, m.codes,  m.mask,   m.end};
+    };
+    EXPECT_EQ(map(16), (std::array<std::uint32_t, 8>{0, 64, 128, 160, 192, 224, 288, 304}));
+    EXPECT_EQ(map(512),
+              (std::array<std::uint32_t, 8>{0, 64, 2112, 3136, 4160, 5184, 7232, 7744}));
+    EXPECT_EQ(map(4096), (std::array<std::uint32_t, 8>{0, 64, 16448, 24640, 32832, 41024, 57408,
+                                                       61504}));
+    EXPECT_EQ(hw::ap120b::memory_words, 65536u);
 }
 
 // The frame's ledger: the published times, and the transform's from the replay.
@@ -319,23 +326,92 @@ TEST(ArrayCost, IsTheSumOfItsSteps) {
     struct Expected {
         int figure;
         MemorySpeed speed;
-        int cycles_a_pixel, calls_a_line, bytes;
+        int cycles_a_pixel;
+        std::uint64_t calls;
+        int bytes;
+        std::uint64_t transfer_us;  // 2 us a 16-bit word
     };
-    for (const Expected e : {Expected{3, MemorySpeed::standard, 114, 13, 13},
-                             Expected{3, MemorySpeed::fast, 84, 13, 13},
-                             Expected{4, MemorySpeed::standard, 273, 31, 19},
-                             Expected{4, MemorySpeed::fast, 193, 31, 19}}) {
+    for (const Expected e : {Expected{3, MemorySpeed::standard, 114, 6227, 13, 1'388'036},
+                             Expected{3, MemorySpeed::fast, 84, 6227, 13, 1'388'036},
+                             Expected{4, MemorySpeed::standard, 273, 14849, 19, 2'028'668},
+                             Expected{4, MemorySpeed::fast, 193, 14849, 19, 2'028'668}}) {
         const Settings s = on_array(figure_settings(e.figure), e.speed);
         const Frame<> frame(f.scene(), s);
         const ArrayCost c = array_cost(frame.counts.post_process, s, s.array_memory, true);
         EXPECT_EQ(c.pixels, 106772u);
         EXPECT_EQ(c.lines, 479u);
         EXPECT_EQ(c.cycles(), c.pixels * static_cast<std::uint64_t>(e.cycles_a_pixel));
-        EXPECT_EQ(c.calls(), c.lines * static_cast<std::uint64_t>(e.calls_a_line));
+        EXPECT_EQ(c.calls(), e.calls);
         EXPECT_EQ(c.host_bytes, e.bytes);
-        std::uint64_t sum = 0;
-        for (const ArrayStep& step : c.list()) sum += c.cycles(step);
-        EXPECT_EQ(sum, c.cycles());
+        EXPECT_EQ(c.transfer_us(), e.transfer_us);
+        EXPECT_EQ(c.longest().name, e.figure == 3 ? "inside the volume?" : "interpolate");
+    }
+    EXPECT_EQ(array_call_min_us, 100);
+    EXPECT_EQ(array_call_max_us, 1000);
+}
+
+// Section 18's two tables: a routine's clocks an element, fast and standard; a step's elements a
+// visible pixel and its calls a scan line.
+TEST(ArrayCost, EveryStepIsPublished) {
+    using enum ArrayStepSource;
+    struct Step {
+        std::string_view name;
+        ArrayStepSource source;
+        int fast, standard;                    // clocks an element
+        int nearest, nearest_calls;
+        int bilinear, bilinear_calls;
+        int falls_back, falls_back_calls;      // bilinear, background = fall_back
+    };
+    const auto steps = [](int divides, int compares) {
+        return std::array{
+            Step{"float x, y, z", assumed, 4, 5, 3, 1, 3, 1, 3, 1},
+            Step{"4 x 4 transform", replayed, 20, 23, 1, 1, 1, 1, 1, 1},
+            Step{"divide by w", published, 10, 10, divides, 3, divides, 3, divides, 3},
+            Step{"dither: random words", published, 7, 7, 2, 1, 2, 1, 2, 1},
+            Step{"dither: add", published, 5, 8, 2, 2, 2, 2, 2, 2},
+            Step{"inside the volume?", published, 5, 8, compares, compares, compares, compares,
+                 compares, compares},
+            Step{"fix texel", published, 4, 5, 2, 2, 2, 2, 4, 4},
+            Step{"texel's fraction", published, 5, 8, 0, 0, 4, 4, 4, 4},
+            Step{"float texel and codes", assumed, 4, 5, 1, 1, 6, 3, 6, 3},
+            Step{"interpolate", published, 5, 8, 0, 0, 9, 9, 9, 9},
+            Step{"compare", published, 5, 8, 1, 1, 1, 1, 5, 5},
+            Step{"pack mask", published, 5, 5, 1, 1, 1, 1, 1, 1},
+        };
+    };
+    for (int bits = 0; bits < 24; ++bits) {
+        const bool affine = (bits & 1) != 0, dithered = (bits & 2) != 0, fast = (bits & 4) != 0;
+        const int lookup = bits / 8;
+        ShadowTest s;
+        s.dither.shape = dithered ? hw::DitherShape::normal4 : hw::DitherShape::none;
+        s.lookup = lookup == 0 ? Lookup::nearest : Lookup::bilinear;
+        s.background = lookup == 2 ? Background::fall_back : Background::blend;
+        const ArrayCost c =
+            array_cost({.visible = 10, .shadowed = 4, .lines = 2}, s,
+                       fast ? MemorySpeed::fast : MemorySpeed::standard, affine);
+        SCOPED_TRACE(bits);
+        std::size_t k = 0;
+        std::uint64_t cycles = 0, calls = 0;
+        for (const Step& e : steps(affine ? 0 : 3, affine ? 6 : 7)) {
+            const std::array elements{e.nearest, e.bilinear, e.falls_back};
+            const std::array routine_calls{e.nearest_calls, e.bilinear_calls, e.falls_back_calls};
+            const int n = elements[static_cast<std::size_t>(lookup)];
+            if (n == 0 || (!dithered && e.name.starts_with("dither"))) continue;
+            ASSERT_LT(k, c.steps);
+            const ArrayStep& got = c.list()[k++];
+            EXPECT_EQ(got.name, e.name);
+            EXPECT_EQ(got.source, e.source) << e.name;
+            EXPECT_EQ(got.elements, n) << e.name;
+            EXPECT_EQ(got.cycles, fast ? e.fast : e.standard) << e.name;
+            EXPECT_EQ(got.calls, routine_calls[static_cast<std::size_t>(lookup)]) << e.name;
+            cycles += 10 * static_cast<std::uint64_t>(n * (fast ? e.fast : e.standard));
+            calls += 2 * static_cast<std::uint64_t>(got.calls);
+        }
+        EXPECT_EQ(k, c.steps);
+        EXPECT_EQ(c.cycles(), cycles);
+        EXPECT_EQ(c.calls(), calls);
+        // In: px, py and the code; out: the texel's numbers; in: one code or four; out: the mask.
+        EXPECT_EQ(c.host_bytes, lookup == 0 ? 13 : 19);
     }
 }
 
@@ -358,15 +434,6 @@ TEST(ArrayCost, StandsInTheFramesLedger) {
     EXPECT_EQ(array.light.units.adders, fixed.light.operations.adds);
     EXPECT_EQ(array.light.units.multipliers, fixed.light.operations.products);
     EXPECT_EQ(array.composite.units.store, 2 * fixed.composite.operations.accesses);
-}
-
-TEST(ArrayCost, HoldsEveryStepAtOnce) {
-    Settings s = on_array(figure_settings(4));
-    s.background = Background::fall_back;
-    const ArrayCost c =
-        array_cost({.visible = 10, .shadowed = 0, .lines = 2}, s, s.array_memory, false);
-    EXPECT_EQ(c.steps, ArrayCost::max_steps);
-    EXPECT_EQ(c.list().back().name, "pack mask");
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 // Frames for the clocked post-process: random stalls, and an oracle for its cycles that never
-// ticks: a recurrence over points and stages.
+// ticks: a recurrence over points and stages. The stages are hw/MACHINE.md's, section 16; nothing
+// is taken from the machine under test.
 #pragma once
 
 #include "shadow/clocked/post_process.hpp"
 #include "tests/shadow/random_frames.hpp"
+#include "tests/shadow/slow_point.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace umbra78::shadow::test {
@@ -26,6 +29,48 @@ inline std::vector<hw::StageMask> random_holds(Random& random, int stages, std::
         }
     }
     return holds;
+}
+
+// Section 16's table: the stays of all stages in order, the reader's cycles a pixel, and the
+// cycles from one visible pixel to the next.
+struct SlowStages {
+    std::vector<int> stays;
+    int read_cycles = 1, slot_cycles = 1;
+
+    int latency() const { return std::accumulate(stays.begin(), stays.end(), 0); }
+};
+inline SlowStages slow_stages(const TimedTest& s, bool affine) {
+    const hw::MachineSpec& m = s.machine;
+    const hw::Timing& t = s.timing;
+    const auto ceil = [](int a, int b) { return (a + b - 1) / b; };
+    const auto stages = [&](int work_ns) { return ceil(work_ns, t.clock_ns - t.register_ns); };
+    SlowStages out;
+    const auto add = [&](int count, int stay) {
+        for (int k = 0; k < count; ++k) out.stays.push_back(stay);
+    };
+    const int word_bits = m.xy_bits + std::max(m.z_bits - m.xy_bits, 1);
+    const int passes = (m.coefficient_bits > 16 ? 2 : 1) * (word_bits > 16 ? 2 : 1);
+    const int rows = affine ? 3 : 4;
+    const int rounds = m.multipliers == 1 ? rows * rows : m.multipliers == 4 ? rows : 1;
+    add(1, passes * rounds);  // multiply
+    add(stages(t.multiply_ns) - 1, 1);
+    if (m.multipliers > 1) add(stages(2 * t.add_ns), 1);  // sum
+    add(stages(t.add_ns), 1);                             // accumulate
+    if (affine || m.divide_order == hw::DivideOrder::round_first) add(stages(2 * t.add_ns), 1);
+    const int n_f = m.xy_bits + m.fraction_bits;
+    if (!affine && t.divider == hw::Divider::serial) add(1, 2 * (n_f + 4) + m.z_bits + 4);
+    if (!affine && t.divider == hw::Divider::pipelined)
+        add(2 + ceil(std::max(n_f, m.z_bits) + 2,
+                     std::max(1, (t.clock_ns - t.register_ns) / t.add_ns)), 1);
+    const bool blends = s.lookup == Lookup::bilinear && m.fraction_bits > 0;
+    add(1, 1);                                  // place
+    add(1, blends ? 4 / t.light_banks : 1);     // fetch
+    if (blends) add(1, ceil(6, m.multipliers));  // interpolate
+    add(2, 1);                                  // compare, write
+    const int bits = 16 * SlowNoise::bytes(s.dither.shape);
+    out.read_cycles = bits == 0 ? 1 : ceil(bits, t.noise_bits);
+    out.slot_cycles = *std::max_element(out.stays.begin(), out.stays.end());
+    return out;
 }
 
 // When a frame ends, by the rules of valid and ready alone: point by point, stage by stage.
@@ -99,19 +144,39 @@ std::vector<std::int64_t> clock_frame(Machine& machine, const std::vector<hw::St
 }
 
 // The same by the oracle, and the frame's cycles.
-template <class Machine, class Depth>
-std::vector<std::int64_t> foretell(const Machine& machine, const std::vector<Depth>& depth,
+template <class Depth>
+std::vector<std::int64_t> foretell(const SlowStages& stages, const std::vector<Depth>& depth,
                                    std::uint32_t background,
                                    const std::vector<hw::StageMask>& holds,
                                    std::uint64_t& cycles) {
-    std::vector<int> stays;
-    for (int k = 0; k < machine.chain().stages(); ++k) stays.push_back(machine.chain().stay(k));
-    CycleOracle oracle(stays, machine.plan().read_cycles, machine.plan().slot_cycles, holds);
+    CycleOracle oracle(stages.stays, stages.read_cycles, stages.slot_cycles, holds);
     std::vector<std::int64_t> writes;
     for (const Depth code : depth)
         if (const std::int64_t t = oracle.pixel(code != background); t >= 0) writes.push_back(t);
     cycles = oracle.cycles();
     return writes;
+}
+
+// Section 16's closed form of a frame without holds: T = 1 + I + max(L, p g).
+template <class Depth>
+std::uint64_t slow_closed_form(const SlowStages& stages, const std::vector<Depth>& depth,
+                               std::uint32_t background) {
+    const auto p = static_cast<std::uint64_t>(stages.read_cycles);
+    const auto slot = static_cast<std::uint64_t>(stages.slot_cycles);
+    const auto latency = static_cast<std::uint64_t>(stages.latency());
+    std::uint64_t issue = 0, gap = 0;
+    bool first = true;
+    for (const Depth code : depth) {
+        if (code == background) {
+            ++gap;
+            continue;
+        }
+        issue += first ? p * (gap + 1) - 1 : std::max(slot, p * (gap + 1));
+        first = false;
+        gap = 0;
+    }
+    if (first) return p * gap;
+    return 1 + issue + std::max(latency, p * gap);
 }
 
 }  // namespace umbra78::shadow::test

@@ -1,13 +1,11 @@
 // The memory replay: against a model clock by clock, against closed forms, and its sums.
 #include "shadow/clocked/memory_replay.hpp"
 
-#include "shadow/clocked/post_process.hpp"
-#include "shadow/post_process.hpp"
 #include "tests/shadow/clocked/slow_replay.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
 #include "tests/shadow/slow_lookup.hpp"
-
+#include "tests/shadow/slow_point.hpp"
 #include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
@@ -23,15 +21,15 @@ namespace {
 using test::OwnedStore;
 using test::Random;
 
-std::uint64_t slot_cycles(const Settings& s, const hw::MatrixWords& matrix) {
-    return static_cast<std::uint64_t>(PostProcessPipeline(s, matrix).slot_cycles);
-}
-
 auto list(const hw::DramCounts& c) {
     return std::array{c.requests,        c.accesses,      c.page_hits,      c.row_misses,
                       c.row_changes,     c.refresh_cycles, c.video_cycles,  c.refresh_waits,
                       c.video_waits,     c.bank_waits,    c.refresh_wait_ns, c.video_wait_ns,
                       c.bank_wait_ns,    c.busy_ns};
+}
+
+auto list(const PathTime& t) {
+    return std::array{t.read_ns, t.unit_ns, t.light_ns, t.write_ns};
 }
 
 void expect_sums(const MemoryLedger& l, const Settings& s) {
@@ -45,8 +43,8 @@ void expect_sums(const MemoryLedger& l, const Settings& s) {
                                   c->row_misses * static_cast<std::uint64_t>(t.access_ns) +
                                   c->row_changes * static_cast<std::uint64_t>(t.recovery_ns()));
     }
-    const hw::DramMap map{s.machine.xy_bits, 1, t.rows};
-    EXPECT_EQ(l.observer.requests, l.pixels / static_cast<std::uint64_t>(map.word_px()));
+    const auto word_px = static_cast<std::uint64_t>(test::slow_word_px(s.machine.xy_bits));
+    EXPECT_EQ(l.observer.requests, l.pixels / word_px);
     EXPECT_EQ(l.mask.requests, l.observer.requests);
     if (s.timing.light_banks == 4 || s.lookup == Lookup::nearest) {
         EXPECT_EQ(l.light.requests, l.looked_up);
@@ -82,19 +80,16 @@ TEST(MemoryReplay, IsTheModelOfSingleClocks) {
         const hw::MatrixWords matrix = test::random_matrix(random, m, random.bits() % 4 != 0);
         const auto issue = static_cast<std::uint64_t>(random.between(1, 9));
 
-        const hw::TransformUnit unit(m, matrix);
-        hw::Dither dither = s.dither;
-        const bool dithered = dither.shape != hw::DitherShape::none;
-        if (!dithered) dither.shape = hw::DitherShape::uniform;
-        hw::NoiseSource noise(dither, m, 0, 0);
+        const test::SlowNoise noise(s.dither, m);
         std::vector<test::SlowToken> tokens;
         for (std::size_t a = 0; a < observer.depth.size(); ++a) {
             const int x = static_cast<int>(a) % m.size_px(), y = static_cast<int>(a) / m.size_px();
-            const hw::DitherWords d = noise.next();
             test::SlowToken t{x, y, observer.depth[a] != m.background(), {}};
             if (t.visible)
-                t.texels = lookup_texels(m, s.lookup, unit(pixel_words(x, y, observer.depth[a], s)),
-                                         dithered ? d : hw::DitherWords{0, 0});
+                t.texels = test::slow_texels(
+                    m, s.lookup,
+                    test::slow_transform(matrix, m, test::slow_words(s, x, y, observer.depth[a])),
+                    noise.words(a));
             tokens.push_back(t);
         }
         test::SlowReplay slow(s, issue, tokens);
@@ -106,6 +101,9 @@ TEST(MemoryReplay, IsTheModelOfSingleClocks) {
         EXPECT_EQ(list(got.light), list(slow.light.counts)) << where;
         EXPECT_EQ(list(got.mask), list(slow.mask.counts)) << where;
         EXPECT_GE(got.total_ns, got.ideal_ns) << where;
+        const PathTime path = test::slow_ideal_path(s, issue, tokens);
+        EXPECT_EQ(list(got.ideal_path), list(path)) << where;
+        EXPECT_EQ(got.ideal_ns, path.total_ns()) << where;
         expect_sums(got, s);
         if (HasFailure()) return;
         looked_up += got.looked_up;
@@ -167,7 +165,8 @@ TEST(MemoryReplay, IdealTotalsAreTheClosedForm) {
     }
 }
 
-// The texels are those of the comparison: with all others changed, it says the same.
+// The texels, in order, are the model's; and they are those of the comparison: with all others
+// changed, it has the same result.
 TEST(LookupTexels, AreThoseTheComparisonReads) {
     Random random;
     std::uint64_t four = 0, fewer = 0, none = 0;
@@ -186,6 +185,10 @@ TEST(LookupTexels, AreThoseTheComparisonReads) {
         test::fill_depth(random, m, light.depth);
         test::fill_depth(random, m, other.depth);
         const Texels texels = lookup_texels(m, s.lookup, p, d);
+        std::vector<std::pair<int, int>> listed;
+        for (std::size_t k = 0; k < texels.count; ++k)
+            listed.push_back({texels.at[k].x, texels.at[k].y});
+        ASSERT_EQ(listed, test::slow_texels(m, s.lookup, p, d)) << round;
         for (std::size_t k = 0; k < texels.count; ++k) {
             const std::size_t a = light.store.address(texels.at[k].x, texels.at[k].y);
             other.depth[a] = light.depth[a];
@@ -212,8 +215,7 @@ TEST(MemoryReplay, OfTheFiguresFrame) {
     ASSERT_EQ(frame.status, FrameStatus::ok);
     const auto replay = [&](const Settings& with) {
         const MemoryLedger l =
-            replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, with,
-                          slot_cycles(with, frame.matrices.observer_to_light));
+            replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, with, 3);
         expect_sums(l, with);
         return l;
     };
@@ -233,13 +235,14 @@ TEST(MemoryReplay, OfTheFiguresFrame) {
 // hw/MACHINE.md, section 17: the ledgers of figures 3 and 4.
 struct Published {
     int figure, banks;
+    std::uint64_t slot_cycles;  // S
     std::array<std::uint64_t, 3> row_misses, row_changes;  // observer, light, mask
     std::uint64_t latency_ns, total_ns, ideal_ns;
 };
 constexpr Published published[] = {
-    {3, 1, {15050, 8649, 7833}, {26, 3841, 1698}, 23'621'920, 95'858'800, 95'138'200},
-    {4, 1, {15262, 64467, 10264}, {26, 56321, 1492}, 101'789'655, 148'384'400, 116'934'800},
-    {4, 4, {15023, 81762, 7827}, {29, 62490, 1691}, 29'597'070, 95'875'000, 95'138'200},
+    {3, 1, 3, {15050, 8649, 7833}, {26, 3841, 1698}, 23'621'920, 95'858'800, 95'138'200},
+    {4, 1, 4, {15262, 64467, 10264}, {26, 56321, 1492}, 101'789'655, 148'384'400, 116'934'800},
+    {4, 4, 3, {15023, 81762, 7827}, {29, 62490, 1691}, 29'597'070, 95'875'000, 95'138'200},
 };
 
 TEST(MemoryReplay, LedgersArePublished) {
@@ -250,7 +253,7 @@ TEST(MemoryReplay, LedgersArePublished) {
         const test::Frame<> frame(figures.scene(), s);
         const MemoryLedger l =
             replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, s,
-                          slot_cycles(s, frame.matrices.observer_to_light));
+                          p.slot_cycles);
         EXPECT_EQ((std::array{l.observer.row_misses, l.light.row_misses, l.mask.row_misses}),
                   p.row_misses);
         EXPECT_EQ((std::array{l.observer.row_changes, l.light.row_changes, l.mask.row_changes}),

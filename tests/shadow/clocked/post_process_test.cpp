@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -62,6 +63,64 @@ void expect_every_cycle_accounted(const Clocked<Depth>& machine) {
     EXPECT_EQ(machine.reader().read, pixels * std::uint64_t(machine.plan().read_cycles));
 }
 
+// A frame of one visible pixel, the first, whose reader is held in the cycles given.
+struct Tail {
+    std::uint64_t cycles;
+    Account account;
+};
+Tail run_tail(std::size_t visible, const std::vector<std::uint64_t>& held) {
+    const Settings s = figure_settings(3);  // S = 3, L = 10, a pixel a cycle
+    Settings small = s;
+    small.machine.xy_bits = 4;
+    OwnedStore<hw::Depth16> observer(4), light(4);
+    observer.store.clear(small.machine);
+    light.store.clear(small.machine);
+    if (visible < observer.depth.size()) observer.depth[visible] = 1000;
+    std::vector<std::uint8_t> mask(256);
+    const auto machine = std::make_unique<Clocked<hw::Depth16>>(observer.store, light.store,
+                                                                hw::MatrixWords{}, small, mask);
+    while (!machine->done() && machine->cycles() < 10000) {
+        const bool hold = std::find(held.begin(), held.end(), machine->cycles()) != held.end();
+        machine->tick(hold ? Clocked<hw::Depth16>::reader_bit : 0);
+    }
+    return {machine->cycles(), machine->account()};
+}
+
+// What the reader was held after the last point has left it counts, as far as the point's own way
+// does not cover it; what it was held before counts by itself.
+TEST(ClockedPostProcess, HeldCyclesAfterTheLastPointAreAccountedFor) {
+    struct Case {
+        std::size_t visible;
+        std::vector<std::uint64_t> held;
+        std::uint64_t closed_form, reader_held, after_last;
+    };
+    for (const Case& c : {
+             Case{0, {}, 256, 0, 0},               // 255 background pixels outlast the latency
+             Case{0, {0}, 256, 1, 0},              // held before the point is let go
+             Case{0, {0, 1, 9}, 256, 2, 1},        // both
+             Case{0, {100, 101, 102}, 256, 0, 3},  // held in the tail
+             Case{0, {255, 256}, 256, 0, 2},       // in its last cycle, and in the one that adds
+             Case{255, {}, 266, 0, 0},             // the last pixel: L = 10 cycles are left
+             Case{255, {300}, 266, 0, 0},          // the frame is over
+             Case{250, {}, 261, 0, 0},             // 5 background pixels are within the latency
+             Case{250, {252, 253}, 261, 0, 0},     // 7 still are
+             Case{250, {251, 252, 253, 254, 255}, 261, 0, 0},        // 10: just within
+             Case{250, {251, 252, 253, 254, 255, 256}, 261, 0, 1},   // 11: one too many
+             Case{250, {3, 252, 253, 254, 255, 256, 257}, 261, 1, 1},
+             Case{256, {}, 256, 0, 0},             // nothing visible
+             Case{256, {0, 17, 255, 258}, 256, 4, 0},
+         }) {
+        const Tail t = run_tail(c.visible, c.held);
+        SCOPED_TRACE("visible " + std::to_string(c.visible) + ", " +
+                     std::to_string(c.held.size()) + " cycles held");
+        EXPECT_EQ(t.account.closed_form, c.closed_form);
+        EXPECT_EQ(t.account.reader_held, c.reader_held);
+        EXPECT_EQ(t.account.reader_blocked, 0u);
+        EXPECT_EQ(t.account.after_last, c.after_last);
+        EXPECT_EQ(t.cycles, c.closed_form + c.reader_held + c.after_last);
+    }
+}
+
 struct Trial {
     std::uint64_t points = 0, cycles = 0, stalled = 0, shadowed = 0;
 };
@@ -78,6 +137,13 @@ void run_trial(Random& random, const Settings& s, const OwnedStore<Depth>& obser
         std::make_unique<Clocked<Depth>>(observer.store, light.store, matrix, s, mask);
     const std::vector<hw::StageMask> holds = test::random_holds(
         random, machine->chain().stages(), observer.depth.size() * 4, in_64);
+    const test::SlowStages stages = test::slow_stages(s, matrix.affine);
+    ASSERT_EQ(machine->chain().stages(), static_cast<int>(stages.stays.size()));
+    for (int k = 0; k < machine->chain().stages(); ++k)
+        ASSERT_EQ(machine->chain().stay(k), stages.stays[static_cast<std::size_t>(k)]) << k;
+    ASSERT_EQ(machine->plan().read_cycles, stages.read_cycles);
+    ASSERT_EQ(machine->plan().slot_cycles, stages.slot_cycles);
+    ASSERT_EQ(machine->plan().latency, stages.latency());
     const std::vector<std::int64_t> writes = test::clock_frame(*machine, holds);
     ASSERT_TRUE(machine->done()) << "hangs";
     EXPECT_EQ(machine->counts().visible, counts.visible);
@@ -85,9 +151,11 @@ void run_trial(Random& random, const Settings& s, const OwnedStore<Depth>& obser
     if (mask != expected)
         umbra78::test::expect_equal_buffers("mask", s.machine.size_px(), expected, mask);
     std::uint64_t cycles = 0;
-    EXPECT_EQ(writes, test::foretell(*machine, observer.depth, s.machine.background(), holds,
-                                     cycles));
+    EXPECT_EQ(writes,
+              test::foretell(stages, observer.depth, s.machine.background(), holds, cycles));
     EXPECT_EQ(machine->cycles(), cycles);
+    EXPECT_EQ(machine->account().closed_form,
+              test::slow_closed_form(stages, observer.depth, s.machine.background()));
     expect_every_cycle_accounted(*machine);
     sum.points += counts.visible;
     sum.cycles += machine->cycles();
@@ -196,8 +264,8 @@ bool found() {
     const auto holds = test::random_holds(random, machine->chain().stages(), 16384, 32);
     const auto writes = test::clock_frame(*machine, holds, 8 * holds.size());
     std::uint64_t cycles = 0;
-    const auto foretold =
-        test::foretell(*machine, observer.depth, s.machine.background(), holds, cycles);
+    const auto foretold = test::foretell(test::slow_stages(s, true), observer.depth,
+                                         s.machine.background(), holds, cycles);
     return !machine->done() || mask != expected || machine->counts().shadowed != counts.shadowed ||
            writes != foretold || machine->cycles() != cycles;
 }

@@ -1,8 +1,9 @@
 // An independent model of the memory replay: registers filled and emptied clock by clock, and
-// memory nanosecond by nanosecond (tests/hw/memory/slow_dram.hpp).
+// memory nanosecond by nanosecond (tests/hw/memory/slow_dram.hpp). Places in the chips and texels
+// are found here again, from hw/MACHINE.md, section 17.
 #pragma once
 
-#include "shadow/light_place.hpp"
+#include "shadow/clocked/memory_replay.hpp"
 #include "shadow/frame/settings.hpp"
 #include "tests/hw/memory/slow_dram.hpp"
 
@@ -17,8 +18,21 @@ namespace umbra78::shadow::test {
 struct SlowToken {
     int x, y;
     bool visible;
-    Texels texels;
+    std::vector<std::pair<int, int>> texels;  // that it reads, in order
 };
+
+// Pixels of a word of all chips: P in section 17.
+inline int slow_word_px(int xy_bits) { return std::max(16, (1 << xy_bits << xy_bits) / 16384); }
+
+// A pixel's bank, row and column, in a store of one bank or of four that are interleaved.
+inline hw::DramPlace slow_place(const hw::Timing& timing, int xy_bits, int banks, int x, int y) {
+    const int part = banks == 4 ? 2 : 1;
+    const int address = y / part * ((1 << xy_bits) / part) + x / part;
+    const int px = slow_word_px(xy_bits) / banks, word = address / px;
+    const bool lines = timing.dram.rows == hw::DramRows::lines;
+    return {banks == 4 ? 2 * (y % 2) + x % 2 : 0, lines ? word / 128 : word % 128,
+            lines ? word % 128 : word / 128, address % px};
+}
 
 class SlowReplay {
 public:
@@ -65,13 +79,13 @@ private:
     }
 
     std::uint64_t memory(hw::test::SlowDram& dram, const SlowToken& t, std::uint64_t now) {
-        const hw::DramPlace p = pixel_map(s_).place(t.x, t.y);
+        const hw::DramPlace p = slow_place(s_.timing, s_.machine.xy_bits, 1, t.x, t.y);
         return dram.access({&p, 1}, now);
     }
 
     void enter(std::size_t stage, std::size_t index, std::uint64_t now) {
         const SlowToken& t = tokens_[index];
-        const int px = pixel_map(s_).word_px();
+        const int px = slow_word_px(s_.machine.xy_bits);
         std::uint64_t clocks = 1, done = now;
         if (stage == 0 && t.x % px == 0) done = memory(observer, t, now);
         if (stage == 1 && t.visible) clocks = issue_;
@@ -82,10 +96,11 @@ private:
         registers_[stage] = {true, index, std::max(done, now + clocks * clock)};
     }
 
-    std::uint64_t look_up(const Texels& texels, std::uint64_t now) {
+    std::uint64_t look_up(const std::vector<std::pair<int, int>>& texels, std::uint64_t now) {
         std::vector<hw::DramPlace> places;
-        for (std::size_t k = 0; k < texels.count; ++k)
-            places.push_back(light_map(s_).place(texels.at[k].x, texels.at[k].y));
+        for (const auto& [x, y] : texels)
+            places.push_back(
+                slow_place(s_.timing, s_.machine.xy_bits, s_.timing.light_banks, x, y));
         if (places.empty()) return now;
         if (places.size() > 1 && s_.timing.light_banks == 4) return light.access(places, now);
         std::uint64_t address = now;  // the register of addresses takes a clock for each
@@ -101,5 +116,31 @@ private:
     std::vector<SlowToken> tokens_;
     std::array<Register, 4> registers_{};
 };
+
+// The recurrence of section 17 as a table, with stores that serve a request in a clock:
+//   leave(k, i) = max( leave(k-1, i) + service(k, i),  leave(k+1, i-1) )
+// Each entry carries its services by stage; of two equal terms the first is taken.
+inline PathTime slow_ideal_path(const Settings& s, std::uint64_t issue_cycles,
+                                const std::vector<SlowToken>& tokens) {
+    using Entry = std::array<std::uint64_t, 4>;  // clocks, by stage
+    const auto sum = [](const Entry& e) { return e[0] + e[1] + e[2] + e[3]; };
+    std::array<Entry, 6> before{}, leave{};  // of the token before, and of this one; 1..4 are stages
+    for (const SlowToken& t : tokens) {
+        const std::uint64_t reads =
+            t.texels.empty() || s.timing.light_banks == 4 ? 1 : t.texels.size();
+        const Entry service{1, t.visible ? issue_cycles : 1, reads, 1};
+        leave[0] = before[1];
+        for (std::size_t k = 1; k <= 4; ++k) {
+            Entry own = leave[k - 1];
+            own[k - 1] += service[k - 1];
+            leave[k] = sum(before[k + 1]) > sum(own) ? before[k + 1] : own;
+        }
+        before = leave;
+    }
+    const auto ns = [&](std::size_t k) {
+        return leave[4][k] * static_cast<std::uint64_t>(s.timing.clock_ns);
+    };
+    return {ns(0), ns(1), ns(2), ns(3)};
+}
 
 }  // namespace umbra78::shadow::test
