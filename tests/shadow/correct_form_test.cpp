@@ -277,7 +277,8 @@ TEST(CorrectSink, EverySampleIsTheSlowModels) {
             const auto a = static_cast<std::size_t>(
                 random.between(0, static_cast<std::int64_t>(observer.depth.size()) - 1));
             const auto code = static_cast<std::uint32_t>(random.between(0, m.deepest_drawn()));
-            const int px = static_cast<int>(a) % m.size_px(), py = static_cast<int>(a) / m.size_px();
+            const int px = static_cast<int>(a) % m.size_px();
+            const int py = static_cast<int>(a) / m.size_px();
             const auto place = [&] {
                 const std::int64_t v = random.between(-edge, edge - 1);
                 return static_cast<std::int32_t>(random.bits() % 2 == 0 ? v & ~std::int64_t{31}

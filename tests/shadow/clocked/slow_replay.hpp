@@ -124,7 +124,8 @@ inline PathTime slow_ideal_path(const Settings& s, std::uint64_t issue_cycles,
                                 const std::vector<SlowToken>& tokens) {
     using Entry = std::array<std::uint64_t, 4>;  // clocks, by stage
     const auto sum = [](const Entry& e) { return e[0] + e[1] + e[2] + e[3]; };
-    std::array<Entry, 6> before{}, leave{};  // of the token before, and of this one; 1..4 are stages
+    // Of the token before and of this one: stages 1..4, and 0 and 5 beside them.
+    std::array<Entry, 6> before{}, leave{};
     for (const SlowToken& t : tokens) {
         const std::uint64_t reads =
             t.texels.empty() || s.timing.light_banks == 4 ? 1 : t.texels.size();
