@@ -23,16 +23,10 @@
 
 namespace umbra78::fixed {
 
-// The shape of the noise. Up to 8 bytes come from one 64-bit word, up to 12 from two.
-struct DitherShape {
-    int uniforms = 1;
-    static constexpr int max_uniforms = 12;
-    constexpr int largest_sum() const { return 255 * uniforms; }
-    constexpr int bits_drawn() const { return 8 * uniforms; }
-    friend constexpr bool operator==(const DitherShape&, const DitherShape&) = default;
-};
+inline constexpr int max_uniforms = 12;  // of k
 
-// The sum of the k low bytes of the word, 1 <= k <= 8, pairwise and then by one multiplication.
+// The sum of the k low bytes of the word, 1 <= k <= 8: first of pairs of bytes, then by one
+// multiplication of all pairs. A k above 8 takes its bytes from two words.
 constexpr int sum_of_uniforms(std::uint64_t bits, int k) {
     require(k >= 1 && k <= 8, "dither: 1..8 uniforms a word");
     constexpr std::uint64_t even_bytes = 0x00ff00ff00ff00ff;
@@ -43,7 +37,7 @@ constexpr int sum_of_uniforms(std::uint64_t bits, int k) {
 
 // size_q8: peak to peak in texels, Q.8.
 constexpr std::int32_t dither_amplitude(int k, std::int32_t size_q8, int fraction_bits) {
-    require(k >= 1 && k <= DitherShape::max_uniforms, "dither: 1..12 uniforms");
+    require(k >= 1 && k <= max_uniforms, "dither: 1..12 uniforms");
     require(fraction_bits >= 0 && fraction_bits <= 14, "dither: 0..14 fraction bits");
     const std::int64_t scaled = scale_shift(size_q8, -(fraction_bits + 16), Rounding::floor);
     const std::int64_t amplitude =
@@ -65,7 +59,7 @@ using SumCount = std::conditional_t<(K <= 7), std::uint64_t, WideInt<2>>;
 
 template <int K>
 constexpr std::array<SumCount<K>, 255 * K + 1> sum_counts() {
-    static_assert(K >= 1 && K <= DitherShape::max_uniforms, "sum_counts: 1..12 uniforms");
+    static_assert(K >= 1 && K <= max_uniforms, "sum_counts: 1..12 uniforms");
     std::array<SumCount<K>, 255 * K + 1> counts{}, next{};
     counts[0] = 1;  // the empty sum
     for (std::size_t k = 1; k <= K; ++k) {

@@ -163,7 +163,7 @@ private:
         if (unit_a < unit_b) return sum(b, unit_b, a, unit_a);
         constexpr std::int64_t up = std::int64_t{1} << guard;
         const int apart = unit_a - unit_b < 62 ? unit_a - unit_b : 62;
-        const std::int64_t aligned = b * up >> apart;
+        const std::int64_t aligned = floor_shift(b * up, apart);
         const bool lost = (b * up & ((std::int64_t{1} << apart) - 1)) != 0;
         return rounded(2 * (a * up + aligned) + (lost ? 1 : 0), unit_a - guard - 1);
     }

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 
+#include "fixed/rounding.hpp"
 #include "fixed/trap.hpp"
 
 namespace umbra78::fixed {
@@ -38,7 +39,7 @@ constexpr std::int64_t clamp(std::int64_t v, std::int64_t low, std::int64_t high
 constexpr std::int64_t wrap(std::int64_t v, int bits) {
     require(bits >= 1 && bits <= 64, "signed width outside 1..64");
     const int unused = 64 - bits;
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << unused) >> unused;
+    return floor_shift(static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << unused), unused);
 }
 constexpr std::int64_t wrap_unsigned(std::int64_t v, int bits) { return v & max_unsigned(bits); }
 

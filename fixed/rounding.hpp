@@ -1,11 +1,12 @@
-// Rounding, the single owner of every right shift and every division that loses bits.
+// Rounding: the only owner of right shifts of signed values and of divisions that lose bits.
 //
+//   floor_shift(v, n)      floor(v / 2^n)    0 <= n < the width of v; one instruction
 //   round_shift(v, n, r)   v / 2^n           0 <= n <= 62, any v, no intermediate overflow
 //   scale_shift(v, n, r)   v / 2^n           any n; n < 0 is an exact left shift, or a trap
 //   round_divide(a, b, r)  a / b             b != 0; traps on -2^63 / -1
 //
-// All three take the floor first, q = floor(x) and the remainder 0 <= x - q < 1, and then ask one
-// question: does x go up to q + 1? Twice the remainder against the divisor answers it:
+// The last three take the floor first, q = floor(x) with the remainder 0 <= x - q < 1, and then
+// decide whether x is rounded up to q + 1, by comparing twice the remainder with the divisor:
 //
 //   mode           goes up when ...           example -1.5  -0.5   0.5   1.5   (2.25)
 //   floor          never                              -2    -1     0     1     2
@@ -16,9 +17,11 @@
 //   half_away      2 rem > divisor, = if x >= 0       -2    -1     1     2     2
 //   half_even      2 rem > divisor, = if q is odd     -2     0     0     2     2
 //
-// C++20 defines >> of a negative value as the floor; no other header relies on it unnamed.
+// C++20 defines >> of a negative value as the floor. Elsewhere in the core >> has unsigned operands
+// only, so that a shift that rounds is always named; tests/guards/shifts.sh checks it.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 #include "fixed/trap.hpp"
@@ -34,6 +37,12 @@ enum class Rounding : std::uint8_t {
     half_away,
     half_even,
 };
+
+// floor(v / 2^n). n is not checked: the value is a pixel's, and n a constant of the frame.
+template <std::signed_integral Int>
+constexpr Int floor_shift(Int v, int n) {
+    return static_cast<Int>(v >> n);  // guard: the one signed shift
+}
 
 // Whether x = floor + remainder/divisor rounds to floor + 1. twice_remainder < 2 divisor <= 2^64.
 // Every mode is one threshold, so a mode known at compile time costs one comparison.
@@ -57,7 +66,7 @@ constexpr bool rounds_up(bool negative, bool floor_is_odd, std::uint64_t twice_r
 constexpr std::int64_t round_shift(std::int64_t v, int n, Rounding r) {
     require(n >= 0 && n <= 62, "round_shift: shift outside 0..62");
     const std::uint64_t divisor = std::uint64_t{1} << n;
-    const std::int64_t floor = v >> n;
+    const std::int64_t floor = floor_shift(v, n);
     const std::uint64_t remainder = static_cast<std::uint64_t>(v) & (divisor - 1);
     return floor + (rounds_up(v < 0, (floor & 1) != 0, 2 * remainder, divisor, r) ? 1 : 0);
 }
@@ -72,14 +81,14 @@ constexpr std::int64_t scale_shift(std::int64_t v, int n, Rounding r) {
         // n = 65 on |v / 2^n| <= 1/4, and only its sign and whether it is zero still matter.
         const int first = n < 65 ? n - 62 : 3;
         const std::int64_t lost = v & ((std::int64_t{1} << first) - 1);
-        return round_shift((v >> first) | (lost != 0 ? 1 : 0), 62, r);
+        return round_shift(floor_shift(v, first) | (lost != 0 ? 1 : 0), 62, r);
     }
     if (v == 0) {
         return 0;
     }
     require(n >= -63, "scale_shift: left shift does not fit 64 bits");
     const auto shifted = static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << -n);
-    require(shifted >> -n == v, "scale_shift: left shift does not fit 64 bits");
+    require(floor_shift(shifted, -n) == v, "scale_shift: left shift does not fit 64 bits");
     return shifted;
 }
 

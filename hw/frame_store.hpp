@@ -1,18 +1,23 @@
 // The frame store: a Z plane and an intensity plane of 2^xy_bits x 2^xy_bits words.
 //
 // Row 0 is the top of the picture; word y 2^xy_bits + x holds pixel (x, y). The Z code is
-// unsigned, 0 at the near plane; all ones is the background, and what is drawn is clamped to one
-// code nearer. Nearer replaces (Catmull 1974, p. 32); a tie in Z goes to the smaller intensity,
-// so the result depends on what is drawn and never on the order it is drawn in.
+// unsigned, 0 at the near plane; all ones is the background, and the code of what is drawn is
+// clamped to one less. Nearer replaces (Catmull 1974, p. 32); a tie in Z goes to the smaller
+// intensity, so the result depends on what is drawn and never on the order it is drawn in.
+//
+// The planes are the caller's memory. FrameStore<Depth16> can be written; FrameStore<const Depth16>
+// is what a stage takes that only reads, and each converts to it by itself.
 // Not emulated here: access times, refresh and video read-out (hw/memory/dram.hpp replays those).
 #pragma once
 
 #include "hw/machine_spec.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace umbra78::hw {
 
@@ -23,26 +28,41 @@ using Depth32 = std::uint32_t;
 
 template <class Depth>
 struct FrameStore {
+    static constexpr bool read_only = std::is_const_v<Depth>;
+    using Intensity = std::conditional_t<read_only, const std::uint8_t, std::uint8_t>;
+
     int xy_bits = 0;
-    std::span<Depth> depth;             // size_px^2 words
-    std::span<std::uint8_t> intensity;  // size_px^2 words, or empty in the light's view
+    std::span<Depth> depth;          // size_px^2 words
+    std::span<Intensity> intensity;  // size_px^2 words, or empty in the light's view
 
     int size_px() const { return 1 << xy_bits; }
     std::size_t address(int x, int y) const {
         return (static_cast<std::size_t>(y) << xy_bits) + static_cast<std::size_t>(x);
     }
 
-    void clear(const MachineSpec& spec) {
+    // Whether this is a store of the machine's size that holds its Z codes.
+    constexpr bool fits(const MachineSpec& spec) const {
+        const auto words = std::size_t{1} << (2 * spec.xy_bits);
+        return xy_bits == spec.xy_bits && spec.z_bits <= 8 * static_cast<int>(sizeof(Depth)) &&
+               depth.size() == words && (intensity.empty() || intensity.size() == words);
+    }
+
+    void clear(const MachineSpec& spec)
+        requires(!read_only)
+    {
         std::fill(depth.begin(), depth.end(), static_cast<Depth>(spec.background()));
         std::fill(intensity.begin(), intensity.end(), std::uint8_t{0});
     }
+
+    template <class Read>
+        requires(!read_only && std::same_as<Read, const Depth>)
+    constexpr operator FrameStore<Read>() const {
+        return {xy_bits, depth, intensity};
+    }
 };
 
-// Counts of a frame's accesses: the first cycle count of the store is one cycle for each.
-struct AccessCount {
-    std::uint64_t reads = 0;
-    std::uint64_t writes = 0;
-    std::uint64_t cycles() const { return reads + writes; }
-};
+// A parameter of a template that deduces Depth from another argument.
+template <class Depth>
+using ReadOnlyStore = FrameStore<const std::type_identity_t<Depth>>;
 
 }  // namespace umbra78::hw

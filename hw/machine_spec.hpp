@@ -45,7 +45,9 @@ struct MachineSpec {
     constexpr int word_bits() const { return xy_bits + input_fraction(); }
     constexpr std::int32_t one_word() const { return std::int32_t{1} << (word_bits() - 2); }
 
-    // Four exact products: bits of both factors, and three guard bits (35 by default).
+    // The sum of four exact products, at most 4 2^(word_bits - 1) 2^(coefficient_bits - 1), needs
+    // the bits of both factors and two more. The machine has three more, 35 by default, as the
+    // single-chip multiplier-accumulators of the time had (TRW TDC1010J: 16 x 16 bits into 35).
     constexpr int accumulator_bits() const { return word_bits() + coefficient_bits + 3; }
     // A shorter accumulator lacks low bits: a product is rounded to those there are as it is added.
     constexpr int dropped_bits() const {

@@ -59,10 +59,6 @@ public:
         return {fixed::dither_word(sx, k_, amplitude_), fixed::dither_word(sy, k_, amplitude_)};
     }
 
-    void skip(int pixels) {
-        register_.jump(static_cast<std::uint64_t>(pixels) * 16 * static_cast<std::uint64_t>(k_));
-    }
-
 private:
     int sum() {
         int total = 0;

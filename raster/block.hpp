@@ -20,10 +20,10 @@
 
 namespace umbra78::raster {
 
-// (v + 2^(n-1)) >> n, the only rounding of the subdivider.
+// floor((v + 2^(n-1)) / 2^n), the only rounding of the subdivider.
 template <class Int>
 constexpr Int half_up(Int v, int n) {
-    return (v + (Int{1} << (n - 1))) >> n;
+    return fixed::floor_shift(v + (Int{1} << (n - 1)), n);
 }
 
 struct Component {

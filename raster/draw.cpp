@@ -182,7 +182,7 @@ bool BlockWalk::make_corners() {
 
 PixelWindow pixel_window(const ScreenBounds& b, const MachineSpec& spec) {
     const auto pixel = [&](std::int64_t v) {
-        const std::int64_t p = (v >> raster_fraction) + spec.half_px();
+        const std::int64_t p = fixed::floor_shift(v, raster_fraction) + spec.half_px();
         return static_cast<int>(std::clamp<std::int64_t>(p, 0, spec.size_px() - 1));
     };
     return {pixel(b[0].min - slack), pixel(b[1].min - slack), pixel(b[0].max + slack),

@@ -111,7 +111,7 @@ constexpr std::int32_t grown(Offset edge) {
 inline bool lone_depth(const Corner& a, const Corner& b, const Corner& c, Offset to_b, Offset to_c,
                        Offset to_d, std::int64_t& z) {
     const std::int32_t turned = cross(to_b, to_c);
-    const std::int32_t sign = turned >> 31;  // (v ^ sign) - sign is v or -v
+    const std::int32_t sign = fixed::floor_shift(turned, 31);  // (v ^ sign) - sign is v or -v
     const std::int32_t area = (turned ^ sign) - sign;
     const std::int32_t wb = (cross(to_d, to_c) ^ sign) - sign;
     const std::int32_t wc = (cross(to_b, to_d) ^ sign) - sign;

@@ -35,7 +35,7 @@ constexpr std::int64_t huge = huge_bound;
 
 std::int64_t up(std::int64_t v, int n) {
     if (n < 0) return fixed::scale_shift(v, -n, Rounding::ceiling);
-    return v >= huge >> n ? huge : v << n;
+    return v >= fixed::floor_shift(huge, n) ? huge : v << n;
 }
 
 // The whole pixel that the bounds of a quotient are taken about.
@@ -50,8 +50,8 @@ Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw,
     // Bring W to 24 bits and its bounds to the same scale, rounded outward.
     const int down = std::max(0, static_cast<int>(std::bit_width(
                                      static_cast<std::uint64_t>(bw.min))) - 24);
-    const std::int64_t w_min = bw.min >> down;
-    const auto scaled = [&](std::int64_t v) { return (v >> down) + 1; };
+    const std::int64_t w_min = fixed::floor_shift(bw.min, down);
+    const auto scaled = [&](std::int64_t v) { return fixed::floor_shift(v, down) + 1; };
     const std::int64_t centre = std::clamp(whole_pixel(x, w), -farthest_centre, farthest_centre);
     const Bounds b = bounds(less(x, centre, w));
     const auto over_w = [&](std::int64_t v) {  // v / W in the target's fraction, rounded up

@@ -78,10 +78,11 @@ constexpr std::int32_t pixel_centre(int p, std::int32_t half_px) {
     return (2 * (p - half_px) + 1) * (1 << (raster_fraction - 1));
 }
 constexpr std::int32_t first_pixel(std::int32_t at, std::int32_t half_px) {
-    return (at - pixel_centre(0, half_px) + (1 << raster_fraction) - 1) >> raster_fraction;
+    const std::int32_t up = (1 << raster_fraction) - 1;
+    return fixed::floor_shift(at - pixel_centre(0, half_px) + up, raster_fraction);
 }
 constexpr std::int32_t last_pixel(std::int32_t at, std::int32_t half_px) {
-    return (at - pixel_centre(0, half_px)) >> raster_fraction;
+    return fixed::floor_shift(at - pixel_centre(0, half_px), raster_fraction);
 }
 
 // The pixels whose centres a leaf's box, grown by the slack, may hold: one row of leaves at once.
@@ -144,8 +145,8 @@ void sample_leaves(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
                 return half_up<std::int64_t>(p + q + r + s, 2);
             };
             const std::int64_t x = mean(a.x, b.x, c.x, d.x), y = mean(a.y, b.y, c.y, d.y);
-            const std::int64_t px = (x + half) >> raster_fraction;
-            const std::int64_t py = (y + half) >> raster_fraction;
+            const std::int64_t px = fixed::floor_shift(x + half, raster_fraction);
+            const std::int64_t py = fixed::floor_shift(y + half, raster_fraction);
             if (px < 0 || py < 0 || px >= spec.size_px() || py >= spec.size_px()) continue;
             emit(Sample{static_cast<int>(px), static_cast<int>(py), static_cast<std::int32_t>(x),
                         static_cast<std::int32_t>(y), mean(a.z, b.z, c.z, d.z), i, j});

@@ -18,7 +18,7 @@ namespace umbra78::shadow {
 
 template <class Depth>
 struct LightMap {
-    const hw::FrameStore<Depth>& store;
+    hw::FrameStore<const Depth> store;
     hw::MachineSpec spec;
     Lookup lookup;
     Background background;

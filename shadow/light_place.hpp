@@ -76,7 +76,7 @@ constexpr TexelPlace texel_place(const hw::MachineSpec& spec, bool four, std::in
     const int f = spec.fraction_bits;
     const std::int64_t one = std::int64_t{1} << f, back = four ? one / 2 : 0;
     const auto texel = [&](std::int64_t v) {
-        return static_cast<std::int32_t>((v - back) >> f) + spec.half_px();
+        return static_cast<std::int32_t>(fixed::floor_shift(v - back, f)) + spec.half_px();
     };
     const auto fraction = [&](std::int64_t v) {
         return static_cast<std::int32_t>((v - back) & (one - 1));

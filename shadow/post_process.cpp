@@ -1,15 +1,13 @@
 #include "shadow/post_process.hpp"
 
-
-#include <algorithm>
-
 namespace umbra78::shadow {
+namespace {
 
 template <class Depth>
-PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
-                               const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const ShadowTest& settings, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask) {
+PostProcessCounts test_frame(const hw::FrameStore<const Depth>& observer,
+                             const hw::FrameStore<const Depth>& light,
+                             const hw::MatrixWords& matrix, const ShadowTest& settings,
+                             const PostProcessWork& work, std::span<std::uint8_t> mask) {
     const hw::MachineSpec& spec = settings.machine;
     const hw::TransformUnit unit(spec, matrix, work.unit);
     const LightMap<Depth> map{light, spec, settings.lookup, settings.background};
@@ -34,13 +32,19 @@ PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
     return counts;
 }
 
-template PostProcessCounts post_process(const hw::FrameStore<hw::Depth16>&,
-                                        const hw::FrameStore<hw::Depth16>&,
-                                        const hw::MatrixWords&, const ShadowTest&,
-                                        const PostProcessWork&, std::span<std::uint8_t>);
-template PostProcessCounts post_process(const hw::FrameStore<hw::Depth32>&,
-                                        const hw::FrameStore<hw::Depth32>&,
-                                        const hw::MatrixWords&, const ShadowTest&,
-                                        const PostProcessWork&, std::span<std::uint8_t>);
+}  // namespace
+
+PostProcessCounts post_process(const hw::FrameStore<const hw::Depth16>& observer,
+                               const hw::FrameStore<const hw::Depth16>& light,
+                               const hw::MatrixWords& matrix, const ShadowTest& settings,
+                               const PostProcessWork& work, std::span<std::uint8_t> mask) {
+    return test_frame(observer, light, matrix, settings, work, mask);
+}
+PostProcessCounts post_process(const hw::FrameStore<const hw::Depth32>& observer,
+                               const hw::FrameStore<const hw::Depth32>& light,
+                               const hw::MatrixWords& matrix, const ShadowTest& settings,
+                               const PostProcessWork& work, std::span<std::uint8_t> mask) {
+    return test_frame(observer, light, matrix, settings, work, mask);
+}
 
 }  // namespace umbra78::shadow

@@ -54,15 +54,25 @@ struct PostProcessCounts {
     std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
 };
 
-template <class Depth>
-PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
-                               const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const ShadowTest& settings, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask);
-template <class Depth>
-PostProcessCounts post_process(const hw::FrameStore<Depth>& observer,
-                               const hw::FrameStore<Depth>& light, const hw::MatrixWords& matrix,
-                               const ShadowTest& settings, std::span<std::uint8_t> mask) {
+PostProcessCounts post_process(const hw::FrameStore<const hw::Depth16>& observer,
+                               const hw::FrameStore<const hw::Depth16>& light,
+                               const hw::MatrixWords& matrix, const ShadowTest& settings,
+                               const PostProcessWork& work, std::span<std::uint8_t> mask);
+PostProcessCounts post_process(const hw::FrameStore<const hw::Depth32>& observer,
+                               const hw::FrameStore<const hw::Depth32>& light,
+                               const hw::MatrixWords& matrix, const ShadowTest& settings,
+                               const PostProcessWork& work, std::span<std::uint8_t> mask);
+// The work that the settings need.
+inline PostProcessCounts post_process(const hw::FrameStore<const hw::Depth16>& observer,
+                                      const hw::FrameStore<const hw::Depth16>& light,
+                                      const hw::MatrixWords& matrix, const ShadowTest& settings,
+                                      std::span<std::uint8_t> mask) {
+    return post_process(observer, light, matrix, settings, needed_work(settings), mask);
+}
+inline PostProcessCounts post_process(const hw::FrameStore<const hw::Depth32>& observer,
+                                      const hw::FrameStore<const hw::Depth32>& light,
+                                      const hw::MatrixWords& matrix, const ShadowTest& settings,
+                                      std::span<std::uint8_t> mask) {
     return post_process(observer, light, matrix, settings, needed_work(settings), mask);
 }
 
@@ -80,8 +90,8 @@ struct RowMemory {
 bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix);
 
 // Requires rows_cover.
-PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
-                                    const hw::FrameStore<hw::Depth16>& light,
+PostProcessCounts post_process_rows(const hw::FrameStore<const hw::Depth16>& observer,
+                                    const hw::FrameStore<const hw::Depth16>& light,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask);
 

@@ -52,7 +52,7 @@ std::array<RowShare, 3> row_shares(const ShadowTest& s, const hw::MatrixWords& m
         const Rounded k = rounded(s, m, r);
         const std::int64_t v = std::int64_t{m.word[r][1]} * pixel_words(0, y, 0, s).y +
                                m.word[r][3] * one + k.half;
-        out[r] = {static_cast<std::int32_t>(v >> k.shift),
+        out[r] = {static_cast<std::int32_t>(fixed::floor_shift(v, k.shift)),
                   static_cast<std::int32_t>(v & ((std::int64_t{1} << k.shift) - 1)),
                   static_cast<std::int16_t>(m.word[r][2]), k.shift};
     }
@@ -65,7 +65,7 @@ void column_shares(const ShadowTest& s, const hw::MatrixWords& m, RowMemory& mem
         for (int x = 0; x < s.machine.size_px(); ++x) {
             const std::int64_t v = std::int64_t{m.word[r][0]} * pixel_words(x, 0, 0, s).x;
             const auto i = static_cast<std::size_t>(x);
-            memory.column_high[r][i] = static_cast<std::int32_t>(v >> shift);
+            memory.column_high[r][i] = static_cast<std::int32_t>(fixed::floor_shift(v, shift));
             memory.column_low[r][i] =
                 static_cast<std::int32_t>(v & ((std::int64_t{1} << shift) - 1));
         }
@@ -95,7 +95,7 @@ void transform_row(const hw::Depth16* depth, Span span, const std::array<RowShar
         for (std::size_t x = span.first; x < span.end; ++x) {
             const auto z = static_cast<std::int16_t>((depth[x] - offset) * (1 << z_up));
             const std::int32_t product = std::int32_t{k.z_coefficient} * z;
-            out[x] = high[x] + k.high + ((low[x] + k.low + product) >> k.shift);
+            out[x] = high[x] + k.high + fixed::floor_shift(low[x] + k.low + product, k.shift);
         }
     }
 }
@@ -151,14 +151,14 @@ void nearest_addresses(const hw::Depth16* depth, Span span, const hw::MachineSpe
         const std::int32_t x = X[i] + edge, y = Y[i] + edge, code = Z[i] + offset;
         // All ones where every one of these is negative, that is: inside the light's volume.
         const std::int32_t inside =
-            (~x & ~y & ~code & (x - limit) & (y - limit) & (code - beyond) &
-             (std::int32_t{depth[i]} - beyond)) >> 31;
-        address[i] = (((y >> f) << xy) + (x >> f)) & inside;
+            fixed::floor_shift(~x & ~y & ~code & (x - limit) & (y - limit) & (code - beyond) &
+                                   (std::int32_t{depth[i]} - beyond), 31);
+        address[i] = ((fixed::floor_shift(y, f) << xy) + fixed::floor_shift(x, f)) & inside;
         Z[i] = code | ~inside;
     }
 }
 
-std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<hw::Depth16>& light,
+std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<const hw::Depth16>& light,
                           Span span, const hw::MachineSpec& m, RowMemory& memory,
                           std::uint8_t* mask) {
     nearest_addresses(depth, span, m, memory);
@@ -176,7 +176,7 @@ std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<hw::Dep
     return shadowed;
 }
 
-std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::Depth16>& light,
+std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<const hw::Depth16>& light,
                            Span span, const ShadowTest& s, RowMemory& memory,
                            std::uint8_t* mask) {
     const hw::MachineSpec& m = s.machine;
@@ -191,7 +191,8 @@ std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<hw::De
         const std::int32_t x = memory.result[0][i], y = memory.result[1][i];
         const std::int32_t code = memory.result[2][i] + offset;
         const std::int32_t cx = x - one / 2, cy = y - one / 2;
-        const std::int32_t tx = (cx >> f) + half, ty = (cy >> f) + half;
+        const std::int32_t tx = fixed::floor_shift(cx, f) + half;
+        const std::int32_t ty = fixed::floor_shift(cy, f) + half;
         if (depth[i] == m.background()) {
             // nothing drawn
         } else if (s.background == Background::blend && tx >= 0 && ty >= 0 && tx < last &&
@@ -234,8 +235,8 @@ bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     return true;
 }
 
-PostProcessCounts post_process_rows(const hw::FrameStore<hw::Depth16>& observer,
-                                    const hw::FrameStore<hw::Depth16>& light,
+PostProcessCounts post_process_rows(const hw::FrameStore<const hw::Depth16>& observer,
+                                    const hw::FrameStore<const hw::Depth16>& light,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask) {
     const hw::MachineSpec& m = settings.machine;

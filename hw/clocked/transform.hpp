@@ -127,7 +127,7 @@ private:
 
     // The halves of a word: the low one without sign.
     static std::int64_t half(std::int64_t word, int cut, bool low) {
-        return low ? word & ((std::int64_t{1} << cut) - 1) : word >> cut;
+        return low ? word & ((std::int64_t{1} << cut) - 1) : fixed::floor_shift(word, cut);
     }
 
     // One pass of one product, shifted to its place.
@@ -136,8 +136,8 @@ private:
         const std::int64_t a = plan.matrix_.word[std::size_t(row)][std::size_t(column)];
         const std::int64_t b = words_in[column];
         const bool low_a = plan.coefficient_cut_ > 0 && (number & 1) == 0;
-        const bool low_b = plan.word_cut_ > 0 &&
-                           ((plan.coefficient_cut_ > 0 ? number >> 1 : number) & 1) == 0;
+        const int pass_of_b = plan.coefficient_cut_ > 0 ? number / 2 : number;
+        const bool low_b = plan.word_cut_ > 0 && (pass_of_b & 1) == 0;
         const int shift =
             (low_a ? 0 : plan.coefficient_cut_) + (low_b ? 0 : plan.word_cut_);
         return half(a, plan.coefficient_cut_, low_a) * half(b, plan.word_cut_, low_b) *

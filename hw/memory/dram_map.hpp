@@ -11,6 +11,7 @@
 // and stores pixel (x/2, y/2) of a picture half as wide, so any 2 x 2 texels lie in four banks.
 #pragma once
 
+#include "fixed/rounding.hpp"
 #include "hw/memory/dram_timing.hpp"
 
 #include <cstdint>
@@ -40,9 +41,10 @@ struct DramMap {
 
     constexpr DramPlace place(int x, int y) const {
         const int half = banks == 4 ? 1 : 0;
-        const std::int32_t address = ((y >> half) << (xy_bits - half)) + (x >> half);
+        const std::int32_t address = (fixed::floor_shift(y, half) << (xy_bits - half)) +
+                                     fixed::floor_shift(x, half);
         const int chip_bits = word_bits() - 2 * half;
-        const std::int32_t word = address >> chip_bits;
+        const std::int32_t word = fixed::floor_shift(address, chip_bits);
         const std::int32_t low = word % DramTiming::chip_columns;
         const std::int32_t high = word / DramTiming::chip_columns;
         const bool lines = rows == DramRows::lines;

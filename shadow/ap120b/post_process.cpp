@@ -91,10 +91,10 @@ bool array_in_shadow(const LightMap<Depth>& map, Vector p, bool affine,
 }
 
 template <class Depth>
-PostProcessCounts array_post_process(const hw::FrameStore<Depth>& observer,
-                                     const hw::FrameStore<Depth>& light, const Matrix& matrix,
-                                     bool affine, const ShadowTest& settings,
-                                     std::span<std::uint8_t> mask) {
+static PostProcessCounts test_frame(const hw::FrameStore<const Depth>& observer,
+                                    const hw::FrameStore<const Depth>& light,
+                                    const Matrix& matrix, bool affine, const ShadowTest& settings,
+                                    std::span<std::uint8_t> mask) {
     const hw::MachineSpec& spec = settings.machine;
     const LightMap<Depth> map{light, spec, settings.lookup, settings.background};
     const bool dithered = settings.dither.shape != hw::DitherShape::none;
@@ -123,9 +123,13 @@ PostProcessCounts array_post_process(const hw::FrameStore<Depth>& observer,
 
 #define UMBRA78_ARRAY(Depth)                                                                      \
     template bool array_in_shadow(const LightMap<Depth>&, Vector, bool, const hw::DitherWords&);  \
-    template PostProcessCounts array_post_process(const hw::FrameStore<Depth>&,                   \
-                                                  const hw::FrameStore<Depth>&, const Matrix&,    \
-                                                  bool, const ShadowTest&, std::span<std::uint8_t>);
+    PostProcessCounts array_post_process(const hw::FrameStore<const Depth>& observer,             \
+                                         const hw::FrameStore<const Depth>& light,                \
+                                         const Matrix& matrix, bool affine,                       \
+                                         const ShadowTest& settings,                              \
+                                         std::span<std::uint8_t> mask) {                          \
+        return test_frame(observer, light, matrix, affine, settings, mask);                       \
+    }
 UMBRA78_ARRAY(hw::Depth16)
 UMBRA78_ARRAY(hw::Depth32)
 #undef UMBRA78_ARRAY

@@ -38,9 +38,12 @@ template <class Depth>
 bool array_in_shadow(const LightMap<Depth>& map, hw::ap120b::Vector p, bool affine,
                      const hw::DitherWords& d);
 
-template <class Depth>
-PostProcessCounts array_post_process(const hw::FrameStore<Depth>& observer,
-                                     const hw::FrameStore<Depth>& light,
+PostProcessCounts array_post_process(const hw::FrameStore<const hw::Depth16>& observer,
+                                     const hw::FrameStore<const hw::Depth16>& light,
+                                     const hw::ap120b::Matrix& matrix, bool affine,
+                                     const ShadowTest& settings, std::span<std::uint8_t> mask);
+PostProcessCounts array_post_process(const hw::FrameStore<const hw::Depth32>& observer,
+                                     const hw::FrameStore<const hw::Depth32>& light,
                                      const hw::ap120b::Matrix& matrix, bool affine,
                                      const ShadowTest& settings, std::span<std::uint8_t> mask);
 

@@ -132,18 +132,16 @@ private:
     MemoryLedger ledger_;
 };
 
-}  // namespace
-
 template <class Depth>
-MemoryLedger replay_memory(const hw::FrameStore<Depth>& observer, const hw::MatrixWords& matrix,
-                           const TimedTest& settings, std::uint64_t issue_cycles) {
+MemoryLedger replay(const hw::FrameStore<const Depth>& observer, const hw::MatrixWords& matrix,
+                    const TimedTest& settings, std::uint64_t issue_cycles) {
     fixed::require(issue_cycles > 0, "replay: a visible pixel takes at least a clock");
     const hw::MachineSpec& spec = settings.machine;
     const hw::TransformUnit unit(spec, matrix);
     const bool dithered = settings.dither.shape != hw::DitherShape::none;
     hw::Dither dither = settings.dither;
     if (!dithered) dither.shape = hw::DitherShape::uniform;
-    Replay replay(settings, issue_cycles);
+    Replay memory(settings, issue_cycles);
     for (int y = 0; y < spec.size_px(); ++y) {
         hw::NoiseSource noise(dither, spec, 0, y);
         for (int x = 0; x < spec.size_px(); ++x) {
@@ -154,15 +152,23 @@ MemoryLedger replay_memory(const hw::FrameStore<Depth>& observer, const hw::Matr
             if (visible)
                 texels = lookup_texels(spec, settings.lookup,
                                        unit(pixel_words(x, y, code, settings)), d);
-            replay.token(x, y, visible, texels);
+            memory.token(x, y, visible, texels);
         }
     }
-    return replay.ledger();
+    return memory.ledger();
 }
 
-template MemoryLedger replay_memory(const hw::FrameStore<hw::Depth16>&, const hw::MatrixWords&,
-                                    const TimedTest&, std::uint64_t);
-template MemoryLedger replay_memory(const hw::FrameStore<hw::Depth32>&, const hw::MatrixWords&,
-                                    const TimedTest&, std::uint64_t);
+}  // namespace
+
+MemoryLedger replay_memory(const hw::FrameStore<const hw::Depth16>& observer,
+                           const hw::MatrixWords& matrix, const TimedTest& settings,
+                           std::uint64_t issue_cycles) {
+    return replay(observer, matrix, settings, issue_cycles);
+}
+MemoryLedger replay_memory(const hw::FrameStore<const hw::Depth32>& observer,
+                           const hw::MatrixWords& matrix, const TimedTest& settings,
+                           std::uint64_t issue_cycles) {
+    return replay(observer, matrix, settings, issue_cycles);
+}
 
 }  // namespace umbra78::shadow

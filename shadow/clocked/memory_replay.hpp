@@ -37,8 +37,11 @@ struct MemoryLedger {
 // Of the post-process form, whatever settings.form says. The light map's words do not matter: only
 // where they lie. `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks behind
 // the one before it (PostProcessPipeline::slot_cycles, the slowest stage's).
-template <class Depth>
-MemoryLedger replay_memory(const hw::FrameStore<Depth>& observer, const hw::MatrixWords& matrix,
-                           const TimedTest& settings, std::uint64_t issue_cycles);
+MemoryLedger replay_memory(const hw::FrameStore<const hw::Depth16>& observer,
+                           const hw::MatrixWords& matrix, const TimedTest& settings,
+                           std::uint64_t issue_cycles);
+MemoryLedger replay_memory(const hw::FrameStore<const hw::Depth32>& observer,
+                           const hw::MatrixWords& matrix, const TimedTest& settings,
+                           std::uint64_t issue_cycles);
 
 }  // namespace umbra78::shadow

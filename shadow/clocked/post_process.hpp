@@ -106,9 +106,9 @@ template <class Depth, class Rule = hw::ValidReady>
 class ClockedPostProcess {
 public:
     // The stores and the mask stay the caller's.
-    ClockedPostProcess(const hw::FrameStore<Depth>& observer, const hw::FrameStore<Depth>& light,
-                       const hw::MatrixWords& matrix, const TimedTest& settings,
-                       std::span<std::uint8_t> mask);
+    ClockedPostProcess(const hw::FrameStore<const Depth>& observer,
+                       const hw::FrameStore<const Depth>& light, const hw::MatrixWords& matrix,
+                       const TimedTest& settings, std::span<std::uint8_t> mask);
 
     // The reader's bit of a hold mask; stage k of the chain has bit k.
     static constexpr hw::StageMask reader_bit = hw::StageMask{1} << 63;
@@ -150,7 +150,7 @@ private:
     void issue();
 
     PostProcessPipeline plan_;
-    const hw::FrameStore<Depth>& observer_;
+    hw::FrameStore<const Depth> observer_;
     LightMap<Depth> map_;
     TimedTest settings_;
     std::span<std::uint8_t> mask_;

@@ -9,8 +9,8 @@
 namespace umbra78::shadow {
 
 template <class Depth, class Rule>
-ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const hw::FrameStore<Depth>& observer,
-                                                    const hw::FrameStore<Depth>& light,
+ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const hw::FrameStore<const Depth>& observer,
+                                                    const hw::FrameStore<const Depth>& light,
                                                     const hw::MatrixWords& matrix,
                                                     const TimedTest& settings,
                                                     std::span<std::uint8_t> mask)

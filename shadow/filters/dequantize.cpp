@@ -40,7 +40,7 @@ private:
     };
     // Exact: a pass-p node has 2 p fraction bits of the 12.
     static std::int32_t mean(std::int32_t a, std::int32_t b, std::int32_t c) {
-        return (a + 2 * b + c) >> 2;
+        return fixed::floor_shift(a + 2 * b + c, 2);
     }
     int passes_;
     std::array<Stage, max_dequantize_passes> stage_{};
@@ -49,7 +49,7 @@ private:
 template <class Depth>
 class Tracer {
 public:
-    Tracer(std::span<const std::uint8_t> mask, const hw::FrameStore<Depth>& observer,
+    Tracer(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
            Depth background, int passes, EdgeMemory memory)
         : mask_(mask), depth_(observer.depth), background_(background),
           size_(observer.size_px()), passes_(passes), memory_(memory) {}
@@ -163,7 +163,7 @@ private:
 
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
-                         const hw::FrameStore<Depth>& observer, Depth background, int passes,
+                         const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
                          EdgeMemory memory, std::span<std::uint8_t> out) {
     const std::uint64_t steps =
         Tracer<Depth>(mask, observer, background, passes, memory).trace_all();
@@ -176,17 +176,18 @@ std::uint64_t dequantize(std::span<const std::uint8_t> mask,
             const std::size_t a = observer.address(x, y);
             const int covered = std::clamp(area, 0, 256);
             const bool none = observer.depth[a] == background;
-            out[a] = none ? std::uint8_t{0} : static_cast<std::uint8_t>((covered * 255 + 128) >> 8);
+            const int word = fixed::floor_shift(covered * 255 + 128, 8);
+            out[a] = none ? std::uint8_t{0} : static_cast<std::uint8_t>(word);
         }
     }
     return steps;
 }
 
 template std::uint64_t dequantize(std::span<const std::uint8_t>,
-                                  const hw::FrameStore<hw::Depth16>&, hw::Depth16, int, EdgeMemory,
-                                  std::span<std::uint8_t>);
+                                  const hw::ReadOnlyStore<hw::Depth16>&, hw::Depth16, int,
+                                  EdgeMemory, std::span<std::uint8_t>);
 template std::uint64_t dequantize(std::span<const std::uint8_t>,
-                                  const hw::FrameStore<hw::Depth32>&, hw::Depth32, int, EdgeMemory,
-                                  std::span<std::uint8_t>);
+                                  const hw::ReadOnlyStore<hw::Depth32>&, hw::Depth32, int,
+                                  EdgeMemory, std::span<std::uint8_t>);
 
 }  // namespace umbra78::shadow

@@ -40,7 +40,7 @@ constexpr std::size_t edge_coverage_words(int xy_bits) {
 // one span. Returns the number of chain steps followed.
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
-                         const hw::FrameStore<Depth>& observer, Depth background, int passes,
+                         const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
                          EdgeMemory memory, std::span<std::uint8_t> out);
 
 }  // namespace umbra78::shadow

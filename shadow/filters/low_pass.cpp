@@ -7,7 +7,7 @@ namespace {
 
 // The definition, for the frame's border: a neighbour that is not there counts as the pixel.
 template <class Depth>
-std::uint8_t pixel(std::span<const std::uint8_t> mask, const hw::FrameStore<Depth>& observer,
+std::uint8_t pixel(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
                    Depth background, int x, int y) {
     const int size = observer.size_px();
     const std::size_t here = observer.address(x, y);
@@ -23,7 +23,7 @@ std::uint8_t pixel(std::span<const std::uint8_t> mask, const hw::FrameStore<Dept
             sum += (2 - dx * dx) * (2 - dy * dy) * (none ? self : mask[a]);
         }
     }
-    return static_cast<std::uint8_t>(sum >> 4);
+    return static_cast<std::uint8_t>(sum / 16);
 }
 
 // The same inside the border, a scan line at once, with selections for branches. `mask` and
@@ -47,7 +47,7 @@ void inner_row(const std::uint8_t* mask, const Depth* depth, int stride, Depth b
 }  // namespace
 
 template <class Depth>
-void low_pass(std::span<const std::uint8_t> mask, const hw::FrameStore<Depth>& observer,
+void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
               Depth background, std::span<std::uint8_t> out) {
     const int size = observer.size_px(), last = size - 1;
     for (int y = 0; y < size; ++y) {
@@ -61,9 +61,9 @@ void low_pass(std::span<const std::uint8_t> mask, const hw::FrameStore<Depth>& o
     }
 }
 
-template void low_pass(std::span<const std::uint8_t>, const hw::FrameStore<hw::Depth16>&,
+template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<hw::Depth16>&,
                        hw::Depth16, std::span<std::uint8_t>);
-template void low_pass(std::span<const std::uint8_t>, const hw::FrameStore<hw::Depth32>&,
+template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<hw::Depth32>&,
                        hw::Depth32, std::span<std::uint8_t>);
 
 }  // namespace umbra78::shadow

@@ -14,7 +14,7 @@ namespace umbra78::shadow {
 
 // One pass; `observer` tells what is background, which comes out 0. Spans must not overlap.
 template <class Depth>
-void low_pass(std::span<const std::uint8_t> mask, const hw::FrameStore<Depth>& observer,
+void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
               Depth background, std::span<std::uint8_t> out);
 
 }  // namespace umbra78::shadow

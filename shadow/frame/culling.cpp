@@ -61,7 +61,7 @@ std::int64_t max_dither(const Settings& s) {
     const int k = hw::uniforms(s.dither.shape);
     if (k == 0) return 0;
     const std::int64_t a = fixed::dither_amplitude(k, s.dither.size_q8, s.machine.fraction_bits);
-    return ((255 * k * a) >> 16) + 1;
+    return fixed::floor_shift(255 * k * a, 16) + 1;
 }
 
 struct Extremes {

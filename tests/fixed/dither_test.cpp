@@ -18,8 +18,8 @@ TEST(SumOfUniforms, IsTheSumOfTheLowBytes) {
             ASSERT_EQ(sum_of_uniforms(bits, k), sum) << std::hex << bits << " k " << k;
         }
     }
-    EXPECT_DEATH(sum_of_uniforms(0, 0), "");
-    EXPECT_DEATH(sum_of_uniforms(0, 9), "");
+    EXPECT_DEATH(sum_of_uniforms(0, 0), "1..8 uniforms a word");
+    EXPECT_DEATH(sum_of_uniforms(0, 9), "1..8 uniforms a word");
 }
 
 // Made by an independent program in exact rational arithmetic, from the header's equations.
@@ -54,7 +54,7 @@ TEST(DitherWord, First16OfSeed1978) {
 // A size of one texel stays within half a texel for every shape, comes within 1/64 of it, and is
 // symmetric but for the half-up ties. Without fraction bits half a texel rounds up to one.
 TEST(DitherWord, StaysWithinHalfATexel) {
-    for (int k = 1; k <= DitherShape::max_uniforms; ++k) {
+    for (int k = 1; k <= max_uniforms; ++k) {
         for (int fraction_bits = 0; fraction_bits <= 14; ++fraction_bits) {
             const std::int32_t amplitude = dither_amplitude(k, 256, fraction_bits);
             const int half = ((1 << fraction_bits) + 1) / 2;

@@ -12,7 +12,6 @@
 
 #include "fixed/decimal.hpp"
 #include "fixed/divide.hpp"
-#include "fixed/format.hpp"
 #include "fixed/noise.hpp"
 #include "fixed/overflow.hpp"
 #include "fixed/rational.hpp"
@@ -189,16 +188,6 @@ RC_GTEST_PROP(DecimalLaws, AnyTextIsANumberOrIsRefused, ()) {
     const DecimalResult result = parse_decimal(text, up_to(48), 1 + up_to(63));
     RC_ASSERT(result.status == DecimalStatus::ok || result.value == 0);
     RC_ASSERT((result.status == DecimalStatus::empty) == text.empty());
-}
-
-RC_GTEST_PROP(ConvertLaws, ToAFinerAndWiderFormatAndBack, ()) {
-    const int f = up_to(20), i = 1 + up_to(20);
-    const Format narrow_format = signed_format(i, f);
-    const Format wide_format = signed_format(i + up_to(11), f + up_to(11));
-    const std::int64_t v = wrap(*word(), narrow_format.width());
-    const Rounding r = *rounding();
-    const std::int64_t widened = convert(v, narrow_format, wide_format, r, Overflow::trap);
-    RC_ASSERT(convert(widened, wide_format, narrow_format, r, Overflow::trap) == v);
 }
 
 }  // namespace

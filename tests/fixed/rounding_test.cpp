@@ -62,6 +62,26 @@ TEST(RoundShift, RandomWords) {
     }
 }
 
+// Every 16-bit word at every shift; the boundary words of the wider types.
+TEST(FloorShift, EqualsTheModel) {
+    static_assert(floor_shift(-1, 5) == -1 && floor_shift(std::int64_t{-33}, 5) == -2);
+    static_assert(std::is_same_v<decltype(floor_shift(std::int16_t{1}, 1)), std::int16_t>);
+    for (int v = INT16_MIN; v <= INT16_MAX; ++v) {
+        for (int n = 0; n <= 15; ++n) {
+            const Int128 expected = test::model_round(v, Int128{1} << n, Rounding::floor);
+            ASSERT_EQ(Int128{floor_shift(static_cast<std::int16_t>(v), n)}, expected) << v << n;
+            ASSERT_EQ(Int128{floor_shift(v, n)}, expected) << v << " >> " << n;
+        }
+    }
+    for (const std::int64_t v : test::boundary_words) {
+        for (int n = 0; n <= 63; ++n) {
+            ASSERT_EQ(Int128{floor_shift(v, n)},
+                      test::model_round(v, Int128{1} << n, Rounding::floor))
+                << v << " >> " << n;
+        }
+    }
+}
+
 TEST(ScaleShift, EqualsTheModelAtEveryRightShift) {
     for (const std::int64_t v : test::boundary_words) {
         for (int n = 0; n <= 124; ++n) {
