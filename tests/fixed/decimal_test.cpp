@@ -64,6 +64,74 @@ TEST(ParseDecimal, TextThatIsNoNumber) {
     EXPECT_EQ(parse_decimal(std::string_view("1\0", 2), 7, 16), bad(DecimalStatus::bad_character));
 }
 
+// The short way against the long one: every status, every word.
+void expect_same_both_ways(const std::string& text, int fraction_bits, int bits) {
+    ASSERT_EQ(parse_decimal(text, fraction_bits, bits),
+              detail::parse_decimal<false>(text, fraction_bits, bits))
+        << text << " with " << fraction_bits << " fraction bits in " << bits;
+}
+
+// Every number of up to four digits, with the point and the exponent anywhere.
+TEST(ParseDecimal, EveryFewDigitsAreTheSameTheShortWay) {
+    for (int digits = 1; digits <= 4; ++digits) {
+        const int end = std::array{0, 10, 100, 1000, 10000}[static_cast<std::size_t>(digits)];
+        for (int value = 0; value < end; ++value) {
+            std::string text = std::to_string(end + value).substr(1);  // with its leading zeros
+            const int point = value % digits;
+            if (point > 0) {
+                text.insert(static_cast<std::size_t>(point), ".");
+            }
+            for (const int exponent : {0, -1, 3, -5, 15, -14, 16, -16, 18, -18, 20, -20}) {
+                const std::string number = text + "e" + std::to_string(exponent);
+                expect_same_both_ways(exponent == 0 ? text : number, 16, 32);
+                expect_same_both_ways("-" + number, value % 49, 64);
+            }
+        }
+    }
+}
+
+// Numbers of 14 to 22 digits, so that both ways and the change between them are met: random ones,
+// ties (which have at most 18 digits for up to 16 fraction bits) and their neighbours.
+TEST(ParseDecimal, ManyDigitsAreTheSameTheShortWay) {
+    test::Random random;
+    int at_the_limit = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string digits(static_cast<std::size_t>(random.between(14, 22)), '0');
+        for (char& digit : digits) {
+            digit = static_cast<char>('0' + random.between(0, 9));
+        }
+        if (random.between(0, 3) == 0) {
+            digits.replace(1, 8, random.between(0, 1) == 0 ? "00000000" : "99999999");
+        }
+        at_the_limit += digits.size() == 18 || digits.size() == 19 ? 1 : 0;
+        const auto point = static_cast<std::size_t>(random.between(1, 13));
+        const std::string number = digits.substr(0, point) + "." + digits.substr(point);
+        const auto fraction_bits = static_cast<int>(random.between(0, 48));
+        const auto bits = static_cast<int>(random.between(1, 64));
+        expect_same_both_ways(number, fraction_bits, bits);
+        expect_same_both_ways(number, fraction_bits, 64);
+        expect_same_both_ways(digits + "e-" + std::to_string(random.between(0, 24)), 0, 64);
+        const auto f = static_cast<int>(random.between(0, 15));
+        std::string tie = printed(2 * random.between(-(1 << 20), 1 << 20) + 1, f + 1);
+        expect_same_both_ways(tie, f, 64);
+        tie.back() = random.between(0, 1) == 0 ? '4' : '6';
+        expect_same_both_ways(tie, f, 64);
+    }
+    EXPECT_GT(at_the_limit, 3000);
+}
+
+// Where the short way ends: 18 digits, 18 decimals, words of 62 bits.
+TEST(ParseDecimal, BothSidesOfTheShortWaysLimits) {
+    for (const char* text :
+         {"999999999999999999", "1000000000000000000", "0.999999999999999999",
+          "0.9999999999999999999", "99999999999999999e1", "99999999999999999e2", "1e17", "1e18",
+          "1e-18", "1e-19", "4611686018427387903", "4611686018427387904", "70368744177663.5",
+          "70368744177664", "70368744177664.5", "0e99", "0e-99", "-0e18", "000000000000000000001"})
+        for (const int fraction_bits : {0, 1, 15, 16, 47, 48})
+            for (const int bits : {1, 16, 61, 62, 63, 64})
+                expect_same_both_ways(text, fraction_bits, bits);
+}
+
 TEST(PrintDecimal, Examples) {
     EXPECT_EQ(printed(1, 16), "0.0000152587890625");
     EXPECT_EQ(printed(0, 16), "0");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/support/paths.hpp"
-#include "tools/io/json_text.hpp"
+#include "tools/io/text_formats.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 #include "tools/paper/band_study.hpp"
 
-#include "tools/io/markdown.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/paper/figure_set.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "tools/render/profile_costs.hpp"
 
 #include "shadow/frame/profiles.hpp"
-#include "tools/io/markdown.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/scene/scene_file.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The figures of merit of a frame as text and JSON: bias, errors, times.
 #pragma once
 
-#include "tools/io/json_text.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/render/render_job.hpp"
 #include "tools/truth/scene_truth.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "fixed/decimal.hpp"
 #include "shadow/frame/profiles.hpp"
-#include "tools/io/markdown.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/scene/table_reader.hpp"
 
 #include <fmt/format.h>

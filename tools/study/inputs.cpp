@@ -1,6 +1,6 @@
 #include "tools/study/inputs.hpp"
 
-#include "tools/io/json_text.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/study/paper_scene.hpp"
 #include "tools/study/vary.hpp"
 

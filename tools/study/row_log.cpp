@@ -1,6 +1,6 @@
 #include "tools/study/row_log.hpp"
 
-#include "tools/io/json_text.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/study/row_text.hpp"
 
 #include <fcntl.h>

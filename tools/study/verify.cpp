@@ -1,6 +1,6 @@
 #include "tools/study/verify.hpp"
 
-#include "tools/io/json_text.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/row_text.hpp"
 #include "tools/study/runner.hpp"

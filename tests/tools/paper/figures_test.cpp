@@ -2,7 +2,7 @@
 #include "tools/paper/goldens.hpp"
 
 #include "tests/support/paths.hpp"
-#include "tools/io/json_text.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/paper/figure_set.hpp"
 #include "tools/paper/figure_studies.hpp"
 

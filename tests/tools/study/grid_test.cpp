@@ -1,7 +1,7 @@
 // Studies before they run: --vary, the grid, the rows, the front.
 #include "tests/support/error_of.hpp"
 #include "tools/cli/study_list.hpp"
-#include "tools/io/json_text.hpp"
+#include "tools/io/text_formats.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/error_time/pareto.hpp"
 #include "tools/study/inputs.hpp"
