@@ -11,7 +11,7 @@
 // A tie at 48 fraction bits has 49 decimals, so the value of a number is decided by its integer
 // part, its first 64 decimals and whether anything but zeros follows them: no buffer grows with
 // the text. Numbers of up to 18 digits, nearly all of those in a scene, are read in 64-bit words
-// (ShortDecimal: some 300 instructions); all others in 384-bit words (DecimalParts: 25 000).
+// (ShortDecimal: 350 instructions); all others in 384-bit words (DecimalParts: 25 000).
 #pragma once
 
 #include <cstddef>
