@@ -1,4 +1,5 @@
 // umbra78: the program. Exit code 0: done; 1: it failed, or a golden differs; 2: wrong usage.
+#include "fixed/trap.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/suggest.hpp"
 
@@ -48,6 +49,12 @@ int fail_of_usage(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 }  // namespace
+
+// A broken precondition of the machine (fixed/trap.hpp): a fault of the program, not of its input.
+// Called just before the trap instruction stops it, so it does no more than print.
+extern "C" void umbra78_trapped(const char* why) {
+    std::fprintf(stderr, "umbra78: internal error: %s\n", why);
+}
 
 int main(int argc, char** argv) {
     CLI::App app{"The shadow machine of Lance Williams' \"Casting Curved Shadows on Curved "
