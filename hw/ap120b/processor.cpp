@@ -15,7 +15,8 @@ std::uint64_t Processor::run(std::span<const Instruction> program) {
     return cycle_ - start;
 }
 
-// All units read the registers as the instruction finds them; pads are written at its end.
+// All units read the registers as they are at the start of the instruction; pads are written at
+// its end.
 void Processor::step(const Instruction& i) {
     fixed::require(legal(i), "AP-120B: an instruction the machine has no path for");
     if (reading_[2].there) md_ = reading_[2].word;
@@ -40,8 +41,8 @@ void Processor::advance_pipes(const Instruction& i) {
     }
 }
 
-// The index operation, and the access at its result once its bank is free: until then the clock
-// runs and everything else stands.
+// The index operation, and the access at its result when its bank is free. Until then the clock
+// runs and nothing else moves.
 void Processor::access(const Instruction& i) {
     if (i.index < 0) return;
     std::uint16_t& at = index[static_cast<std::size_t>(i.index)];

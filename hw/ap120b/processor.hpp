@@ -1,4 +1,4 @@
-// The FPS AP-120B: an array processor of 1976, run instruction by instruction.
+// The FPS AP-120B, an array processor of 1976, run instruction by instruction.
 //
 //            +-> multiplier: 3 stages --+        one instruction, one clock of 167 ns, starts
 //   pads X, Y, MD, FM, FA               +-> FM     one multiplication, one addition,
@@ -6,10 +6,11 @@
 //   main memory, 64K words: MD three instructions    one memory operation, and a read and a
 //            after a read                             write of each pad of 32 words
 //
-// A result started in instruction t can be used in t + 2 (sum), t + 3 (product) and t + 3 (read),
-// and both pipes move only in instructions that start or push them. Main memory has an even and
-// an odd bank: an access comes a clock (fast) or two (standard) after the one before, and one more
-// if both have the same parity; until then the whole machine waits.
+// A result started in instruction t can be used in t + 2 (sum), t + 3 (product) and t + 3 (read).
+// Both pipes move only in instructions that start or push them. Main memory has an even and an odd
+// bank: an access is a clock (fast memory) or two (standard) later than the one before it, and one
+// more if both have the same parity; until then the whole machine waits.
+// An instruction that the machine has no path for is a broken precondition of run().
 // Sources: Floating Point Systems, AP Math Library Manual 860-7288-004, 1979; R. W. Hockney and
 // C. R. Jesshope, Parallel Computers 2, 1988, 2.5. Ours, from memory: which register each operand
 // of the units can take (below). Not emulated: pads addressed relative to a register (here by
@@ -59,7 +60,7 @@ struct Instruction {
     bool count = false;                     // the index operation's result is what branches test
 };
 
-// Whether the table asks no more of an instruction than the machine's paths give.
+// Whether the machine has a path for everything that the instruction asks for.
 constexpr bool legal(const Instruction& i) {
     const auto pad = [&](From f) {
         return (f == From::pad_x && i.x.read >= 0) || (f == From::pad_y && i.y.read >= 0);
@@ -69,6 +70,10 @@ constexpr bool legal(const Instruction& i) {
     const auto a1 = i.a1 == From::fm || i.a1 == From::zero || pad(i.a1);
     const auto a2 = i.a2 == From::fa || i.a2 == From::md || i.a2 == From::zero || pad(i.a2);
     const auto stored = i.store == From::fa || i.store == From::fm || pad(i.store);
+    const auto in_range = [](const PadPort& p) {
+        constexpr int words = pad_words;
+        return p.read < words && p.write < words;
+    };
     const auto written = [](const PadPort& p) {
         return (p.source == From::none) == (p.write < 0) &&
                (p.source == From::none || p.source == From::fa || p.source == From::fm ||
@@ -76,15 +81,16 @@ constexpr bool legal(const Instruction& i) {
     };
     return (i.multiply != Pipe::start || (m1 && m2)) && (i.add != Pipe::start || (a1 && a2)) &&
            (i.access != Access::write || stored) && (i.access == Access::none || i.index >= 0) &&
-           (!i.count || i.index >= 0) && written(i.x) && written(i.y);
+           (!i.count || i.index >= 0) && i.index < static_cast<int>(index_registers) &&
+           in_range(i.x) && in_range(i.y) && written(i.x) && written(i.y);
 }
 
-// The even and the odd bank's clock: how long an access has to wait.
+// When the even and the odd bank can be accessed: how long an access has to wait.
 class Banks {
 public:
     explicit Banks(MemorySpeed speed) : cycle_(speed == MemorySpeed::fast ? 1 : 2) {}
 
-    // The access's own cycle, at the earliest `cycle`.
+    // The cycle in which the access starts, `cycle` or later.
     std::uint64_t access(std::uint64_t cycle, std::uint16_t address) {
         const bool odd = (address & 1) != 0;
         const std::uint64_t earliest = last_ + cycle_ + (odd == odd_ ? 1 : 0);
@@ -109,7 +115,8 @@ public:
     std::array<Float38, pad_words> pad_x{}, pad_y{};
     std::array<std::uint16_t, index_registers> index{};
 
-    // Runs a program from its first to behind its last instruction; returns the cycles it took.
+    // Runs a program from its first instruction until it leaves it after its last; returns the
+    // cycles it took.
     std::uint64_t run(std::span<const Instruction> program);
 
 private:
@@ -122,8 +129,8 @@ private:
     Banks banks_;
     std::uint64_t cycle_ = 0;
     std::uint16_t counted_ = 0;  // the last counting index operation's result
-    std::array<Float38, 2> multiplying_{};  // stages 1 and 2; FM is behind stage 3
-    Float38 adding_{};                      // stage 1; FA is behind stage 2
+    std::array<Float38, 2> multiplying_{};  // after stages 1 and 2; FM is after stage 3
+    Float38 adding_{};                      // after stage 1; FA is after stage 2
     Float38 fm_{}, fa_{}, md_{};
     struct Read {
         Float38 word;

@@ -77,7 +77,7 @@ constexpr int loop_length = 19;
 constexpr Instruction no{};
 
 // MD holds x in instructions 0..3, y in 4..7, z in 8..11, w in 12..15. Rows 0..3 in this order,
-// always. In 0, 2 and 3 the vector before gets its last three results.
+// always. Instructions 0, 2 and 3 write the last three results of the vector before.
 constexpr std::array<Instruction, loop_length> loop{
     /*  0 */ keep(write(push_adder(multiply(no, 0)), pad_y, first_held), fa, second_held),
     /*  1 */ read(multiply(no, 1)),
@@ -100,9 +100,9 @@ constexpr std::array<Instruction, loop_length> loop{
     /* 18 */ back(keep(add(no, 3), fa, first_held), loop_length),
 };
 
-// Head: x of the first vector, two instructions until it is there, and the loop once, without the
-// results of a vector before and without its branch. Tail: the loop's first four instructions,
-// the last vector's results only.
+// The head reads x of the first vector, waits two instructions for it, and runs the loop once
+// without the writes of a vector before and without its branch. The tail is the loop's first four
+// instructions, of which only the writes of the last vector's results are left.
 constexpr std::size_t prologue_length = 3, tail_length = 4;
 
 constexpr Instruction without_index(Instruction i) {

@@ -2,10 +2,10 @@
 //
 //   r_k = ((m_k0 x + m_k1 y) + m_k2 z) + m_k3 w       each product and each sum rounded
 //
-// The loop is 19 instructions a vector with 16 multiplications, 12 additions, 4 reads and 4
-// writes, as the published routine's; the schedule is this project's own: column after column,
-// the rows' partial sums in pad Y, two results held back there so that the accesses fall as they
-// do. Replayed against the banks a vector takes the loop and as many clocks as it waits for memory.
+// The loop has 19 instructions a vector, with 16 multiplications, 12 additions, 4 reads and 4
+// writes, like the published routine. Its schedule is this project's own: column after column, the
+// rows' partial sums in pad Y. Two results are kept there for a while, so that no two accesses
+// collide. A vector takes the loop's 19 clocks and those that it waits for the memory's banks.
 // Published: 3.3 us a vector with fast memory, 3.8 us with standard (Floating Point Systems, Math
 // Library Routines 7352, 1977).
 #pragma once
@@ -17,7 +17,7 @@ namespace umbra78::hw::ap120b {
 using Vector = std::array<Float38, 4>;
 using Matrix = std::array<Vector, 4>;  // [row][column]
 
-// The same bits as the program below, without its clock.
+// The same bits as the program below, without its clock. The order of the sums is the program's.
 constexpr Vector times(const Matrix& m, const Vector& v) {
     Vector out{};
     for (std::size_t k = 0; k < 4; ++k)
@@ -25,19 +25,19 @@ constexpr Vector times(const Matrix& m, const Vector& v) {
     return out;
 }
 
-// The loop, and what stands before and behind it: `head` transforms the first vector, the loop
-// all others, `tail` writes the last results.
+// The loop and what runs before and after it: `head` transforms the first vector, `loop` all
+// others, `tail` writes the last results.
 struct TransformProgram {
     std::span<const Instruction> head, loop, tail;
 };
 TransformProgram transform_program();
 
 // Runs the program on `count` >= 1 vectors at the even addresses `in` and `out`; returns its
-// cycles. It reads one word behind the last vector. in = out is allowed.
+// cycles. It reads one word after the last vector. in = out is allowed.
 std::uint64_t run_transform(Processor& processor, const Matrix& matrix, std::uint16_t in,
                             std::uint16_t out, std::uint16_t count);
 
-// What one more vector takes in the steady state, from the replay of the loop against the banks.
+// Cycles of one more vector in the steady state, from replaying the loop's accesses.
 std::uint64_t transform_cycles_a_vector(MemorySpeed speed);
 
 }  // namespace umbra78::hw::ap120b

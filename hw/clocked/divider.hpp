@@ -1,15 +1,17 @@
-// The divider, clocked: restoring division, a quotient bit a step, X, Y and Z of a point.
+// The divider, clocked: restoring division of a point's X, Y and Z by W, a quotient bit a step.
 //
 //   remainder <- 2 remainder + next bit of |acc_r| 2^(shift + 1)
 //   if remainder >= acc_w:  remainder <- remainder - acc_w, quotient bit 1, else 0
 //
-// A result of b bits takes b + 1 steps (the last bit is worth a half) between a cycle to load and
-// one to correct: round, restore the sign, and test the width. The serial divider does X, then Y,
-// then Z (Sproull & Sutherland's clipping divider of 1968 made a bit a cycle, too). Three
-// pipelined dividers do them side by side, as many bits a stage as the clock has room for
-// subtractions, and take a point a cycle.
+// A result of b bits takes a cycle to load, b + 1 steps (the last bit has the weight 1/2) and a
+// cycle to correct: round, restore the sign, and test the width. The serial divider does X, then Y,
+// then Z (the clipping divider of Sproull and Sutherland, 1968, made a bit a cycle, too). Three
+// pipelined dividers work side by side and take a point a cycle; a stage makes as many bits as the
+// clock has room for subtractions.
 //
-// Bits and statuses are those of fixed::divide; a test holds them equal.
+// In: four accumulators of up to 64 bits. Out: fixed::Quotient for each of X, Y and Z. W <= 0 and
+// a result that is too wide are statuses. Bits and statuses are those of fixed::divide; tests hold
+// them equal.
 #pragma once
 
 #include "fixed/divide.hpp"
@@ -43,7 +45,7 @@ public:
         return serial_ ? 1 : 2 + (longest_ + 1 + bits_a_stage_ - 1) / bits_a_stage_;
     }
     int latency() const { return cycles() * stages(); }
-    // Row r's quotient: its bits, how far its dividend shifts left, its first and its last step.
+    // Of row r's quotient: its bits, how far its dividend shifts left, its first and last step.
     int bits(int r) const { return bits_[std::size_t(r)]; }
     int shift(int r) const { return shift_[std::size_t(r)]; }
     int first_step(int r) const { return serial_ && r > 0 ? last_step(r - 1) + 1 : 0; }
@@ -51,8 +53,9 @@ public:
         return serial_ ? first_step(r) + bits(r) + 2 : stages() - 1;
     }
 
-    template <class Rule>
-    void add_stages(Chain<Rule>& chain) const {
+    // To a Chain or a StageList.
+    template <class Stages>
+    void add_stages(Stages& chain) const {
         for (int k = 0; k < stages(); ++k) chain.add("divide", cycles());
     }
 
@@ -101,8 +104,8 @@ private:
         return at < 0 || at > 63 ? 0 : d.magnitude >> at & 1;
     }
 
-    // The remainder starts with the bits above the quotient's; were it not less than the divisor,
-    // the quotient would not fit.
+    // The remainder starts with the bits above the quotient's. If it is not less than the divisor,
+    // the quotient does not fit.
     void start(const DividePipeline& plan, std::size_t r) {
         Register& d = row[r];
         d = {};
@@ -124,7 +127,7 @@ private:
         }
         d.remainder = top;
         d.bits_left = plan.bits_[r] + 1;
-        // What a shift to the right drops below the last bit only matters as "not zero".
+        // Of what a right shift drops below the last bit, only whether it is zero matters.
         const int dropped = -plan.shift_[r] - 1;
         d.sticky = dropped > 0 && (dropped > 63 ? d.magnitude != 0
                                                 : d.magnitude << (64 - dropped) != 0);
@@ -139,14 +142,15 @@ private:
         d.quotient = d.quotient << 1 | (one ? 1 : 0);
     }
 
-    // quotient = floor(2 |q|), so its last bit and what is left say how |q| rounds.
+    // quotient = floor(2 |q|), so its last bit and the remainder decide how |q| rounds.
     void correct(const DividePipeline& plan, std::size_t r) {
         Register& d = row[r];
         if (d.result.status != DivideStatus::ok) return;
         const bool rest = d.remainder != 0 || d.sticky;
         const std::uint64_t quarters = (d.quotient & 1) << 1 | (rest ? 1 : 0);  // of 4
         const auto whole = static_cast<std::int64_t>(d.quotient >> 1);
-        // The floor of a negative value lies below, with what is left of 4 above it.
+        // The floor of a negative value is one less where there is a fraction, and the fraction
+        // above the floor is then 1 minus that of |q|.
         const bool below = d.negative && quarters != 0;
         const std::int64_t floor = d.negative ? -whole - (below ? 1 : 0) : whole;
         const std::uint64_t above = below ? 4 - quarters : quarters;

@@ -1,4 +1,4 @@
-// Valid and ready: a chain of stages, a token in each, clocked by tick().
+// A chain of stages with a valid/ready handshake: a token in each stage, clocked by tick().
 //
 //            +---------+  valid   +---------+  valid   +---------+
 //   enter -->| stage 0 |--------->| stage 1 |--------->|   ...   |--> done
@@ -6,13 +6,16 @@
 //                         ready                 ready
 //
 // A token works in a stage for the stage's `stay` cycles. At the end of a cycle it moves on if its
-// work is done (valid) and the next stage is empty or empties in this very cycle (ready); else it
-// waits, and so, in time, does what follows it. A stage whose clock is held in a cycle (`held`, a
-// bit a stage: memory that is late, or a test that makes trouble) does nothing in it and takes
-// nothing in. Results cannot depend on any of this; cycles are accounted for to the last one.
+// work is done (valid) and the next stage is empty or empties in the same cycle (ready). Otherwise
+// it waits, and then the tokens that follow it wait, too. The clock of a stage can be held for a
+// cycle (`held`, a bit a stage: memory that is late, or a test that disturbs the chain): the stage
+// then does nothing and takes no token. Results do not depend on any of this, and each cycle of
+// each stage is counted as work, blocked, held or empty.
 //
-// The chain carries slot numbers alone; what a token holds is its user's, who is called with
+// The chain carries slot numbers only. Its user keeps what a token holds, and is called with
 // work(stage, cycle of the stay, slot).
+// In: at most 63 stages, each of 1 cycle or more. More, or a slot outside 0..62, is a broken
+// precondition.
 #pragma once
 
 #include "fixed/trap.hpp"
@@ -27,15 +30,38 @@ namespace umbra78::hw {
 inline constexpr int max_stages = 63;
 using StageMask = std::uint64_t;  // a bit a stage; bit 63 is whoever feeds the chain
 
-// What a stage did with its cycles; whatever is left of the total it was empty.
+// The stages by themselves, without tokens and counters: 1.5 KB instead of the chain's 36 KB, for
+// who only asks which stages a machine has. What adds stages to one adds them to the other.
+class StageList {
+public:
+    // Adds a stage; returns its number.
+    int add(std::string_view name, int stay = 1) {
+        fixed::require(count_ < max_stages && stay >= 1, "chain: 63 stages of one cycle or more");
+        stage_[static_cast<std::size_t>(count_)] = {name, stay};
+        return count_++;
+    }
+    int stages() const { return count_; }
+    std::string_view name(int k) const { return stage_[static_cast<std::size_t>(k)].name; }
+    int stay(int k) const { return stage_[static_cast<std::size_t>(k)].stay; }
+
+private:
+    struct Stage {
+        std::string_view name;
+        int stay;
+    };
+    std::array<Stage, max_stages> stage_{};
+    int count_ = 0;
+};
+
+// What a stage did with its cycles; in the rest of the total it was empty.
 struct StageTime {
     std::uint64_t work = 0;
     std::uint64_t blocked = 0;  // done, and the next stage not ready
-    std::uint64_t held = 0;     // its clock was held with a token in it
+    std::uint64_t held = 0;     // its clock was held while it had a token
     std::uint64_t stalled() const { return blocked + held; }
 };
 
-// The handshake itself. A test plants a fault by another rule.
+// The handshake's rule. A test plants a fault by another rule.
 struct ValidReady {
     static constexpr bool moves(int /*stage*/, bool next_full, bool next_held) {
         return !next_full && !next_held;
@@ -45,31 +71,29 @@ struct ValidReady {
 template <class Rule = ValidReady>
 class Chain {
 public:
-    static constexpr std::int8_t none = -1;
+    static constexpr std::int8_t none = -1;  // the slot of an empty stage
 
     // Adds a stage; returns its number.
-    int add(std::string_view name, int stay = 1) {
-        fixed::require(count_ < max_stages && stay >= 1, "chain: 63 stages of one cycle or more");
-        stage_[index(count_)] = {name, stay, 0, none, none};
-        return count_++;
-    }
+    int add(std::string_view name, int stay = 1) { return list_.add(name, stay); }
 
-    int stages() const { return count_; }
-    std::string_view name(int k) const { return stage_[index(k)].name; }
-    int stay(int k) const { return stage_[index(k)].stay; }
-    int slot(int k) const { return stage_[index(k)].slot; }           // none: a bubble
+    int stages() const { return list_.stages(); }
+    std::string_view name(int k) const { return list_.name(k); }
+    int stay(int k) const { return list_.stay(k); }
+    int slot(int k) const { return stage_[index(k)].slot; }
     bool valid(int k) const { return slot(k) >= 0 && stage_[index(k)].left == 0; }
     bool ready(int k) const { return (full_ >> k & 1) == 0; }
     bool empty() const { return full_ == 0; }
     const StageTime& time(int k) const { return time_[index(k)]; }
-    // Cycles stage k was blocked for want of stage `by`.
+    // Cycles that stage k was blocked because of stage `by`.
     std::uint64_t blocked_by(int k, int by) const { return blame_[index(k)][index(by)]; }
-    // The stage that keeps stage k from taking a token: itself at work or held, or one behind it.
+    // The stage that keeps stage k from taking a token: k itself where it works or is held, else
+    // a later one.
     int culprit(int k) const { return culprit_[index(k)]; }
 
-    // Cycles the token was blocked or held since it entered.
+    // Cycles that the token was blocked or held since it entered.
     std::uint64_t waited(int slot) const { return waited_[index(slot)]; }
 
+    // Puts a token into stage 0, which must be ready.
     void enter(std::int8_t slot) {
         waited_[index(slot)] = 0;
         fill(0, slot);
@@ -90,20 +114,19 @@ public:
 
 private:
     struct Stage {
-        std::string_view name;
-        int stay, left;
-        std::int8_t slot, blocker;  // the slot in it, and what kept it in the last cycle
+        int left = 0;                             // cycles of work left
+        std::int8_t slot = none, blocker = none;  // the token, and what kept it in the last cycle
     };
     static constexpr std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
     void fill(int k, std::int8_t slot) {
         stage_[index(k)].slot = slot;
-        stage_[index(k)].left = stage_[index(k)].stay;
+        stage_[index(k)].left = stay(k);
         full_ |= StageMask{1} << k;
     }
 
-    // From the last stage to the first, so that `full_` says what the next stage is at the cycle's
-    // end.
+    // Stages run from the last to the first, so that `full_` is what the next stage is at the end
+    // of the cycle.
     template <class Work>
     std::int8_t run(int k, StageMask held, Work&& work) {
         Stage& s = stage_[index(k)];
@@ -116,12 +139,12 @@ private:
         }
         if (s.left > 0) {
             ++t.work;
-            work(k, s.stay - s.left, s.slot);
+            work(k, stay(k) - s.left, s.slot);
             if (--s.left > 0) {
                 culprit_[index(k)] = static_cast<std::int8_t>(k);
                 return none;
             }
-        } else {  // it was done before and could not go
+        } else {  // the work was done in an earlier cycle, and the token could not leave
             ++t.blocked;
             ++blame_[index(k)][index(s.blocker)];
             ++waited_[index(s.slot)];
@@ -134,19 +157,19 @@ private:
         const int next = k + 1;
         const std::int8_t slot = s.slot;
         const bool next_full = (full_ >> next & 1) != 0, next_held = (held >> next & 1) != 0;
-        if (next < count_ && !Rule::moves(k, next_full, next_held)) {
+        if (next < stages() && !Rule::moves(k, next_full, next_held)) {
             s.blocker = next_full ? culprit_[index(next)] : static_cast<std::int8_t>(next);
             culprit_[index(k)] = s.blocker;
             return none;
         }
         s.slot = none;
         full_ &= ~(StageMask{1} << k);
-        if (next == count_) return slot;
+        if (next == stages()) return slot;
         fill(next, slot);
         return none;
     }
 
-    int count_ = 0;
+    StageList list_;
     StageMask full_ = 0;
     std::array<Stage, max_stages> stage_{};
     std::array<StageTime, max_stages> time_{};

@@ -1,8 +1,10 @@
-// The noise source, clocked: the register's bits, so many a cycle, for every pixel it passes.
+// The noise source, clocked: in each cycle the register gives `noise_bits` bits to the pixel that
+// is being read.
 //
-// A pixel owns 16 k bits of the stream, visible or not. Where the registers advance by fewer than
-// that in a cycle, the reader waits for them: cycles_per_pixel.
-// Words are those of hw/noise_source.hpp.
+// A pixel owns 16 k bits of the stream, visible or not. Where the register gives fewer in a cycle,
+// the reader stays at the pixel for cycles_per_pixel cycles.
+// In: the settings of the dither and of the timing. Out: words of hw/noise_source.hpp, bit for bit;
+// tests hold them equal.
 #pragma once
 
 #include "hw/clocked/timing.hpp"

@@ -1,8 +1,11 @@
-// How long the machine's parts take, and how deep its pipelines must therefore be.
+// The times of the machine's parts, and the numbers of pipeline stages that follow from them.
 //
-// A value in nanoseconds is a part's; a stage lasts one clock, so a step that takes longer than a
-// clock less the register's own time is cut into more stages. Bits never depend on any of this.
-// Sources and assumptions stand with the profiles (shadow/frame/profiles.cpp) and in hw/MACHINE.md.
+//   stages = ceil(work_ns / (clock_ns - register_ns))
+//
+// The times in nanoseconds are those of the parts. A stage lasts one clock, of which its register
+// takes some, so a step that takes longer than the rest is cut into more stages. Bits never depend
+// on any of this. Sources and assumptions are in shadow/frame/profiles.cpp and in hw/MACHINE.md,
+// section 16. `check` says which value is out of range.
 #pragma once
 
 #include "hw/memory/dram_timing.hpp"
@@ -11,7 +14,7 @@
 
 namespace umbra78::hw {
 
-// One quotient bit a clock, one divider for three quotients; or three dividers, cut into stages.
+// One divider for three quotients, a quotient bit a clock; or three dividers, cut into stages.
 enum class Divider : std::uint8_t { serial, pipelined };
 
 struct Timing {
@@ -20,11 +23,11 @@ struct Timing {
     int add_ns = 60;        // accumulator-wide, with look-ahead carry
     int register_ns = 20;   // set-up and delay of a stage's register
     Divider divider = Divider::serial;
-    int noise_bits = 192;   // the noise registers advance so far in a clock
+    int noise_bits = 192;   // bits that the noise register advances in a clock
     int light_banks = 1;    // light-map words read in one clock: 1, or 2 x 2 interleaved banks
     DramTiming dram{};      // of the frame stores' chips: for the replay, not for the stages
 
-    // Stages for work of so many nanoseconds.
+    // Stages for work of `work_ns` nanoseconds.
     constexpr int stages(int work_ns) const {
         const int room = clock_ns - register_ns;
         return (work_ns + room - 1) / room;
@@ -42,7 +45,7 @@ struct Timing {
 
 enum class TimingStatus : std::uint8_t { ok, part_too_slow, noise_bits, light_banks };
 
-// Parts slower than this would need more stages than a chain has (hw/clocked/handshake.hpp).
+// Slower parts would need more stages than a chain has (hw/clocked/handshake.hpp).
 constexpr TimingStatus check(const Timing& t) {
     if (t.clock_ns < 100 || t.register_ns < 0 || t.register_ns > 40 || t.multiply_ns < 1 ||
         t.multiply_ns > 400 || t.add_ns < 1 || t.add_ns > 150)
@@ -51,6 +54,11 @@ constexpr TimingStatus check(const Timing& t) {
     if (t.light_banks != 1 && t.light_banks != 4) return TimingStatus::light_banks;
     return TimingStatus::ok;
 }
+
+// The legal parts that need the most stages in every step.
+inline constexpr Timing slowest_legal{.clock_ns = 100, .multiply_ns = 400, .add_ns = 150,
+                                      .register_ns = 40};
+static_assert(check(slowest_legal) == TimingStatus::ok, "the slowest legal parts are legal");
 
 static_assert(Timing{}.multiply_stages() == 1 && Timing{}.sum_stages() == 1 &&
                   Timing{}.accumulate_stages() == 1 && Timing{}.round_stages() == 1 &&

@@ -4,15 +4,18 @@
 //               s cycles     4 or 16       and the           affine      the divider
 //                          multipliers   fourth column     views only
 //
-// With one multiplier a product is formed each cycle, with four a row, with sixteen all of them.
-// A coefficient or word of more than 16 bits is cut in two halves, and each pair of halves is a
-// pass of its own: a = a1 2^h + a0 with a1 signed 16 bits, a0 >= 0; a product that a short
-// accumulator cuts is put together first, and added with its last pass. Where w is 1 the fourth
-// column is a constant and the accumulators start from it. Parts that take longer than a clock are
-// cut into more stages (hw/clocked/timing.hpp), which a point crosses a cycle each.
+// With one multiplier a product is formed each cycle, with four a row's, with sixteen all of them.
+// A coefficient or word of more than 16 bits is cut into two halves, a = a1 2^h + a0 with a1 signed
+// and of 16 bits, a0 >= 0, and each pair of halves is a pass of its own. If the accumulator is too
+// short for the product, the passes are added up first, and the product is rounded and accumulated
+// with its last pass. Where w is 1 the fourth column is a constant, from which the accumulators
+// start. Parts that take longer than a clock are cut into more stages (hw/clocked/timing.hpp);
+// a point takes a cycle for each.
 //
-// The registers of a point travel with it, so any number of points may be under way.
-// Bits are those of hw/transform_unit.hpp; a test holds the two equal under any stalls.
+// In: screen words of hw::screen_words. Out: accumulators for the divider, or rounded rows.
+// The model gives each point its own registers, which travel with it through the stages, so any
+// number of points may be under way.
+// Bits are those of hw/transform_unit.hpp; tests hold the two equal under any stalls.
 #pragma once
 
 #include "fixed/rounding.hpp"
@@ -40,6 +43,8 @@ public:
         rounds_ = matrix.affine || spec.divide_order == DivideOrder::round_first;
         delay_ = {timing.multiply_stages(), spec.multipliers > 1 ? timing.sum_stages() : 0,
                   timing.accumulate_stages(), rounds_ ? timing.round_stages() : 0};
+        fixed::require(accumulate_step(0) < max_under_way,
+                       "clocked transform: more sums under way than it has registers for");
     }
 
     // Multiply's cycles a point; the stages that follow it take one each.
@@ -48,8 +53,9 @@ public:
         return cycles() - 1 + delay_.multiply + delay_.sum + delay_.accumulate + delay_.round;
     }
 
-    template <class Rule>
-    void add_stages(Chain<Rule>& chain) const {
+    // To a Chain or a StageList.
+    template <class Stages>
+    void add_stages(Stages& chain) const {
         chain.add("multiply", cycles());
         for (int k = 1; k < delay_.multiply; ++k) chain.add("multiply");
         for (int k = 0; k < delay_.sum; ++k) chain.add("sum");
@@ -66,12 +72,15 @@ public:
     // Bits of the low halves; 0 where coefficients, or words, are not cut.
     int coefficient_cut() const { return coefficient_cut_; }
     int word_cut() const { return word_cut_; }
-    // What multiply cycle c forms is summed, accumulated and rounded in these steps.
+    // A sum of products waits for the accumulator in a register of its own. The one that is formed
+    // in step c is used in step c + accumulate_step(0), after that step's own sum was stored.
+    static constexpr int max_under_way = 16;
+    // The products of multiply cycle c are summed, accumulated and rounded in these steps.
     bool sums() const { return delay_.sum > 0; }
     int sum_step(int c) const { return c + delay_.multiply - 1 + delay_.sum; }
     int accumulate_step(int c) const { return sum_step(c) + delay_.accumulate; }
     int round_step(int c) const { return accumulate_step(c) + delay_.round; }
-    // How far a row is shifted when it is rounded, and the bits that leaves.
+    // How far a row is shifted right when it is rounded, and how many bits are left.
     int round_shift(int row) const {
         if (!matrix_.affine) return spec_.coefficient_bits - 2;
         const int out = row == 2 ? spec_.depth_fraction() : spec_.fraction_bits;
@@ -97,10 +106,15 @@ private:
     Delay delay_{};
 };
 
-// A point in the unit. step(0), step(1), ... latency() steps in all.
+static_assert(slowest_legal.multiply_stages() - 1 + slowest_legal.sum_stages() +
+                      slowest_legal.accumulate_stages() <
+                  TransformPipeline::max_under_way,
+              "no legal timing has more sums under way than there are registers");
+
+// A point in the unit. Its user calls step(0), step(1) and so on, latency() steps in all.
 struct TransformRegisters {
     Words words{};
-    // By row and column; a multiplier each, so with one or four those of other rows are older.
+    // By row and column. With one or four multipliers the rows are formed one after the other.
     std::array<std::array<std::int64_t, 4>, 4> product{};
     Accumulators accumulator{};
     std::array<std::int64_t, 4> result{};   // rounded rows
@@ -121,8 +135,8 @@ struct TransformRegisters {
     }
 
 private:
-    // A sum of products on its way to the accumulator, kept until it gets there.
-    static constexpr int max_under_way = 16;
+    // Sums of products on their way to the accumulator, by the cycle that formed them.
+    static constexpr int max_under_way = TransformPipeline::max_under_way;
     std::array<std::array<std::int64_t, 4>, max_under_way> under_way_{};
 
     // The halves of a word: the low one without sign.
@@ -144,8 +158,8 @@ private:
                (std::int64_t{1} << shift);
     }
 
-    // What a pass adds to the accumulator. A product that is cut is put together from its passes
-    // first: nothing until the last.
+    // What a pass adds to the accumulator. Where products are rounded that is nothing until the
+    // last pass, and then the whole product.
     std::int64_t multiply_pass(const TransformPipeline& plan, int row, int column, int number) {
         std::int64_t& word = product[std::size_t(row)][std::size_t(column)];
         const std::int64_t part = pass(plan, row, column, number);

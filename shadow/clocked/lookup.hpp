@@ -42,8 +42,9 @@ private:
     int interpolate_cycles_;
 };
 
-template <class Rule>
-void add_lookup_stages(hw::Chain<Rule>& chain, const LookupPipeline& plan) {
+// To an hw::Chain or an hw::StageList.
+template <class Stages>
+void add_lookup_stages(Stages& chain, const LookupPipeline& plan) {
     chain.add("place");
     chain.add("fetch", plan.fetch_cycles());
     if (plan.blends) chain.add("interpolate", plan.interpolate_cycles());

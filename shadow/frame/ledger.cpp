@@ -44,8 +44,7 @@ PhaseLedger drawing(const Scene& scene, const Settings& s, const FrameMatrices& 
 }
 
 void name_stages(PostProcessLedger& l, const PostProcessPipeline& plan) {
-    // The chain itself knows its stages; an empty one is cheap.
-    hw::Chain<> chain;
+    hw::StageList chain;
     plan.transform.add_stages(chain);
     const int divide = chain.stages();
     if (plan.divides) plan.divide.add_stages(chain);

@@ -136,6 +136,94 @@ TEST(Ap120b, IllegalInstructionsAreRefused) {
     EXPECT_TRUE(legal({}));
 }
 
+// Every source at every input, against the list of the machine's paths.
+TEST(Ap120b, OnlyTheListedPathsAreLegal) {
+    using Sources = std::vector<From>;
+    const Sources all{none, zero, pad_x, pad_y, fa, fm, md};
+    struct Input {
+        const char* name;
+        Sources paths;
+        void (*use)(Instruction&, From);
+    };
+    // A unit's other input takes what it always may.
+    const std::vector<Input> inputs{
+        {"m1", {fm, pad_x, pad_y}, [](Instruction& i, From f) {
+             i.multiply = Pipe::start, i.m1 = f, i.m2 = fa;
+         }},
+        {"m2", {fa, md, pad_x, pad_y}, [](Instruction& i, From f) {
+             i.multiply = Pipe::start, i.m1 = fm, i.m2 = f;
+         }},
+        {"a1", {fm, zero, pad_x, pad_y}, [](Instruction& i, From f) {
+             i.add = Pipe::start, i.a1 = f, i.a2 = fa;
+         }},
+        {"a2", {fa, md, zero, pad_x, pad_y}, [](Instruction& i, From f) {
+             i.add = Pipe::start, i.a1 = fm, i.a2 = f;
+         }},
+        {"store", {fa, fm, pad_x, pad_y}, [](Instruction& i, From f) {
+             i.access = Access::write, i.index = 0, i.store = f;
+         }},
+        {"to pad x", {fa, fm, md}, [](Instruction& i, From f) {
+             i.x.write = 0, i.x.source = f;
+         }},
+        {"to pad y", {fa, fm, md}, [](Instruction& i, From f) {
+             i.y.write = 0, i.y.source = f;
+         }},
+    };
+    for (const Input& input : inputs) {
+        for (const From from : all) {
+            const bool path =
+                std::find(input.paths.begin(), input.paths.end(), from) != input.paths.end();
+            // Which words of the pads the instruction names: none, X's, Y's, both.
+            for (int named = 0; named < 4; ++named) {
+                Instruction i;
+                if ((named & 1) != 0) i.x.read = 3;
+                if ((named & 2) != 0) i.y.read = 31;
+                input.use(i, from);
+                const bool word = (from != pad_x || (named & 1) != 0) &&
+                                  (from != pad_y || (named & 2) != 0);
+                EXPECT_EQ(legal(i), path && word)
+                    << input.name << " from " << int(from) << ", pads named " << named;
+            }
+        }
+    }
+}
+
+// What an instruction only holds or pushes needs no inputs; indices and pad words are in range.
+TEST(Ap120b, RangesOfAnInstruction) {
+    for (const Pipe pipe : {Pipe::hold, Pipe::push}) {
+        Instruction i;
+        i.multiply = i.add = pipe;
+        EXPECT_TRUE(legal(i));
+    }
+    const auto with = [](auto change) {
+        Instruction i;
+        change(i);
+        return legal(i);
+    };
+    EXPECT_TRUE(with([](auto& i) { i.access = Access::read, i.index = 15; }));
+    EXPECT_FALSE(with([](auto& i) { i.access = Access::read, i.index = 16; }));
+    EXPECT_FALSE(with([](auto& i) { i.access = Access::read; })) << "no index register";
+    EXPECT_FALSE(with([](auto& i) { i.access = Access::write, i.store = fa; }));
+    EXPECT_TRUE(with([](auto& i) { i.count = true, i.index = 0; }));
+    EXPECT_FALSE(with([](auto& i) { i.count = true; })) << "nothing to count";
+    for (PadPort Instruction::*pad : {&Instruction::x, &Instruction::y}) {
+        const auto port = [&](int read, From source, int write) {
+            Instruction i;
+            i.*pad = {static_cast<std::int8_t>(read), source, static_cast<std::int8_t>(write)};
+            return legal(i);
+        };
+        EXPECT_TRUE(port(31, fa, 31));
+        EXPECT_FALSE(port(32, fa, 31)) << "a pad has 32 words";
+        EXPECT_FALSE(port(31, fa, 32));
+        EXPECT_FALSE(port(-1, fa, -1)) << "a source, and nowhere to write it";
+        EXPECT_FALSE(port(-1, none, 0)) << "a word to write, and no source";
+    }
+    Machine m(MemorySpeed::fast);
+    Instruction nowhere;
+    nowhere.access = Access::read;
+    EXPECT_DEATH(m.processor.run({&nowhere, 1}), "no path for");
+}
+
 TEST(Ap120bTransform, LoopIsThePublishedCounts) {
     const auto loop = transform_program().loop;
     const auto counted = [&](auto what) { return std::count_if(loop.begin(), loop.end(), what); };
