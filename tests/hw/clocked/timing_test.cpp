@@ -66,7 +66,8 @@ TEST(Timing, StagesAreTheClocksThatTheWorkTakes) {
                 const int add = counted(t.add_ns, t), two = counted(2 * t.add_ns, t);
                 int bits = 0;
                 while ((bits + 1) * t.add_ns <= t.clock_ns - t.register_ns) ++bits;
-                const Stages expected{counted(t.multiply_ns, t), two, add, two, bits < 1 ? 1 : bits};
+                const Stages expected{counted(t.multiply_ns, t), two, add, two,
+                                      bits < 1 ? 1 : bits};
                 ASSERT_EQ(stages_of(t), expected) << t.clock_ns << ' ' << t.register_ns << ' '
                                                   << t.add_ns;
             }
