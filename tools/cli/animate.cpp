@@ -1,4 +1,5 @@
-// umbra78 animate: a sequence of pictures as the light or the observer goes round the scene.
+// umbra78 animate: draws a sequence of pictures while the light or the observer moves round the
+// scene. Pictures of the same inputs that are already in the folder are not drawn again.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/interruptible.hpp"
@@ -66,7 +67,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    // As --set would have it, so that a picture is the one `render` makes.
+    // A sweep becomes a --set, so that each picture is the one `umbra78 render` makes.
     std::unique_ptr<LoadedScene> load(int frame) const {
         std::vector<std::string> set = options_.set;
         for (const AzimuthSweep& s : sweeps_) set.push_back(s.override_at(frame, options_.frames));
@@ -90,8 +91,8 @@ private:
     const Options& options_;
     std::vector<AzimuthSweep> sweeps_;
     Path folder_;
-    std::unique_ptr<LoadedScene> scene_;  // of the frame at hand
-    std::unique_ptr<LoadedScene> drawn_;  // of what the job holds: its spans must live
+    std::unique_ptr<LoadedScene> scene_;  // of the current frame
+    std::unique_ptr<LoadedScene> drawn_;  // of the last frame drawn; the job reads its spans
     std::unique_ptr<RenderJob> job_;
     Manifest old_, manifest_;
     std::set<std::string> warned_;
@@ -107,7 +108,7 @@ void Sequence::store(const std::string& file, const std::string& inputs) {
     write_png_gray(folder_ / file, picture.size_px, picture.size_px, job_->bytes(Plane::picture),
                    &files);
     manifest_.push_back({file, inputs, hash_of(picture)});
-    // Entries of frames to come stay, so that a run cut short loses nothing.
+    // Entries of later frames stay, so that an interrupted run loses nothing.
     Manifest all = manifest_;
     for (const ManifestEntry& e : old_)
         if (e.file > file) all.push_back(e);
@@ -115,7 +116,7 @@ void Sequence::store(const std::string& file, const std::string& inputs) {
     files.commit();
 }
 
-// Of what has not been said of a frame before.
+// Prints each warning once for the whole sequence.
 void Sequence::warn() {
     for (const std::string& warning : scene_->warnings)
         if (warned_.insert(warning).second)
@@ -156,13 +157,13 @@ void Sequence::report(int frame, const ordered_json& row) const {
     for (const AzimuthSweep& s : sweeps_)
         text += fmt::format("  {} {}", s.view, s.at(frame, options_.frames));
     const std::vector<std::string> keys = row["kept"];
-    text += !row["drawn"].get<bool>() ? "  there already"
+    text += !row["drawn"].get<bool>() ? "  already there"
             : keys.empty()            ? "  nothing kept"
                                       : fmt::format("  {}", fmt::join(keys, " "));
     fmt::print("{}  {:.1f} ms\n", text, row["host_ms"].get<double>());
 }
 
-// On a terminal that does not show the rows.
+// Only on a terminal on which the rows are not printed.
 void Sequence::show_progress(int frame) const {
     if (!isatty(STDERR_FILENO) || (!options_.json && isatty(STDOUT_FILENO))) return;
     fmt::print(stderr, "\rframe {} of {}{}", frame, options_.frames,
@@ -177,10 +178,10 @@ void Sequence::run() {
         show_progress(frame);
         if (Interruptible::asked() && frame < options_.frames)
             throw std::runtime_error(fmt::format(
-                "interrupted after frame {} of {}; run the same command again to go on", frame,
+                "interrupted after frame {} of {}; run the same command again to continue", frame,
                 options_.frames));
     }
-    // Entries of a longer sequence before this one go.
+    // Removes the entries of an earlier, longer sequence.
     FileSet files;
     write_manifest(folder_, manifest_, files);
     files.commit();
@@ -195,7 +196,7 @@ ordered_json Sequence::to_json() const {
 
 void Sequence::print_summary() const {
     const std::chrono::duration<double> s = Clock::now() - start_;
-    fmt::print("{}: {} frames, {} drawn, {} there already; {:.1f} s in all.\n", folder_.string(),
+    fmt::print("{}: {} frames, {} drawn, {} already there; {:.1f} s in all.\n", folder_.string(),
                options_.frames, drawn_frames_, options_.frames - drawn_frames_, s.count());
 }
 
@@ -214,14 +215,16 @@ void run(const Options& options) {
 void add_animate_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
     Command command(app, "animate",
-                    "Render a sequence: the light or the observer goes round, or both");
+                    "Render a sequence in which the light or the observer moves round the scene");
     command.scene(options->scene);
-    command.number("--frames", options->frames, "N", "How many").range(1, 9999).required();
-    command.text("--light", options->light, "A:B", "The light's azimuth, from A to B degrees");
-    command.text("--observer", options->observer, "A:B", "The observer's, likewise");
+    command.number("--frames", options->frames, "N", "Number of frames").range(1, 9999).required();
+    command.text("--light", options->light, "A:B",
+                 "Move the light's azimuth from A to B degrees");
+    command.text("--observer", options->observer, "A:B",
+                 "Move the observer's azimuth from A to B degrees");
     command.text("--out", options->out, "DIR",
-                 "Folder for frame_0001.png ... and frames.json; default: the scene's name, here. "
-                 "Frames of the same inputs that are there are not drawn again");
+                 "Folder for frame_0001.png ... and frames.json; default: the scene's name. "
+                 "Frames already there with the same inputs are not drawn again");
     command.set(options->set);
     command.json(options->json);
     command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"

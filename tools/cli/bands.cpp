@@ -1,4 +1,4 @@
-// umbra78 bands: the README's table on the paper's sentence about figure 3.
+// umbra78 bands: prints which readings of the paper's sentence about figure 3 fit what is drawn.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/paper/band_study.hpp"
@@ -19,7 +19,7 @@ void add_bands_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
     Command command(app, "bands",
                     "Print which reading of the paper's sentence about figure 3's error fits");
-    command.number("--bias", options->bias, "QUANTA", "Bias in quanta; figure 3 has 64")
+    command.number("--bias", options->bias, "QUANTA", "The bias in quanta; figure 3 has 64")
         .range(0, 1 << 16)
         .default_shown();
     command.json(options->json, "Markdown");

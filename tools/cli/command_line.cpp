@@ -1,3 +1,4 @@
+// The layer over CLI11.
 #include "tools/cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
@@ -42,7 +43,7 @@ Argument Command::text(const std::string& name, std::string& value, const std::s
     return Argument(app_->add_option(name, value, help)->type_name(type));
 }
 
-// An option is followed by one value each time, so that the scene may come after it.
+// An option takes one value each time it is given, so that the scene may follow it.
 Argument Command::texts(const std::string& name, std::vector<std::string>& values,
                         const std::string& type, const std::string& help) {
     const bool option = name.front() == '-';

@@ -1,5 +1,7 @@
-// What a command takes from the command line. CLI11 reads it: its templates take ten seconds to
-// compile in every file that includes them, so only command_line.cpp and main.cpp do.
+// The options, flags and positionals of a command, as a thin layer over CLI11.
+//
+// CLI11's templates take ten seconds to compile in every file that includes them, so only
+// command_line.cpp and main.cpp do.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +16,7 @@ class Option;
 
 namespace umbra78::tools {
 
-// An option, a flag or a positional of a command; a handle.
+// A handle of an option, a flag or a positional of a command.
 class Argument {
 public:
     explicit Argument(CLI::Option* option) : option_(option) {}
@@ -23,7 +25,7 @@ public:
     Argument& default_shown();
     Argument& range(int min, int max);
     Argument& excludes(const Argument& other);
-    // What is wrong with a value, in a sentence; "" if nothing is.
+    // Returns what is wrong with a value, in a sentence, or "".
     using Check = std::string (*)(const std::string& value);
     Argument& checked(Check);
 
@@ -31,13 +33,14 @@ private:
     CLI::Option* option_;
 };
 
-// A command of the program, or one below it; a handle. Values must live until it has run.
+// A handle of a command of the program, or of a command below another (umbra78 study merge). The
+// variables that values are written to must live until the command has run.
 class Command {
 public:
     Command(CLI::App& app, const std::string& name, const std::string& meaning);
     Command(const Command& above, const std::string& name, const std::string& meaning);
 
-    // A name with dashes is an option's, one without a positional's. `type` is for the help.
+    // "--name" makes an option, "name" a positional. `type` is printed in the help.
     Argument text(const std::string& name, std::string& value, const std::string& type,
                   const std::string& help);
     Argument texts(const std::string& name, std::vector<std::string>& values,
@@ -48,7 +51,7 @@ public:
                     const std::string& help);
     Argument flag(const std::string& name, bool& value, const std::string& help);
 
-    // What most commands take.
+    // Arguments that most commands have.
     void scene(std::string& file);
     void set(std::vector<std::string>& overrides);
     Argument json(bool& value, const std::string& in_place_of = "text");
@@ -57,7 +60,7 @@ public:
     void footer(std::function<std::string()> text);
     void runs(std::function<void()> what);
 
-    // Of a command with others below it: they may be left out, and whether one was given.
+    // For a command with others below it: makes these optional, and returns whether one was given.
     void needs_no_command_below();
     bool has_command_below() const;
 

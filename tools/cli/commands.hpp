@@ -1,4 +1,7 @@
-// The program's subcommands. Each adds itself to the app; run, it leaves the exit code.
+// The program's commands, a file each (tools/cli/<command>.cpp).
+//
+// Each function adds its command to the app. A command that can end with another exit code than 0
+// without an error (a golden that differs) writes it to `exit_code` when it runs.
 #pragma once
 
 namespace CLI {

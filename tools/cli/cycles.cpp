@@ -1,4 +1,4 @@
-// umbra78 cycles: where a frame's cycles go, on a machine of the time.
+// umbra78 cycles: prints where a frame's cycles go on a machine of the time, unit by unit.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/paper/figure_costs.hpp"
@@ -30,12 +30,12 @@ struct Options {
 
 void print_claim(const CostClaim& claim) {
     fmt::print("the paper's \"roughly twice, plus a fixed transformation\": both views take {:.2f} "
-               "of the observer's,\nthe transformation {:.3f} of it; {:.2f} samples are drawn for "
-               "each visible pixel\n",
+               "times the observer's\nview, the transformation {:.3f} times; {:.2f} samples are "
+               "drawn for each visible pixel\n",
                claim.both_views, claim.transformation, claim.depth_complexity);
 }
 
-// The replay, the waterfall and the dump are of the fixed-point machine's post-process.
+// Only the fixed-point machine's post-process has a memory replay, a waterfall and a dump.
 bool is_clocked(const LoadedScene& scene) {
     return scene.settings.arithmetic == shadow::Arithmetic::fixed &&
            scene.settings.form == shadow::Form::post_process;
@@ -89,7 +89,7 @@ void all_figures(const Options& options) {
 void run(const Options& options) {
     if (options.scene.empty()) {
         if (!options.profile.empty() || !options.vcd.empty() || !options.set.empty())
-            throw SceneError("--profile, --vcd and --set are for a scene; give its file, too");
+            throw SceneError("--profile, --vcd and --set need a scene; give its file");
         return all_figures(options);
     }
     std::vector<std::string> set = options.set;
@@ -102,13 +102,13 @@ void run(const Options& options) {
 
 void add_cycles_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
-    Command command(app, "cycles", "Where a frame's cycles go, on a machine of the time");
+    Command command(app, "cycles", "Print where a frame's cycles go on a machine of the time");
     command.text("scene", options->scene, "FILE",
-                 "Scene file (TOML); without one, figures 1 to 6 by every profile");
+                 "Scene file (TOML); default: figures 1 to 6 on every profile");
     const Argument profile = command.text("--profile", options->profile, "PROFILE",
-                                          "A machine: see umbra78 settings");
+                                          "The machine; umbra78 settings lists them");
     const Argument all =
-        command.flag("--all", options->all, "A row for each profile").excludes(profile);
+        command.flag("--all", options->all, "Print a row for each profile").excludes(profile);
     command.set(options->set);
     command
         .text("--vcd", options->vcd, "FILE",

@@ -1,4 +1,4 @@
-// umbra78 figures: figures 1 to 6, their errors and their cost, held to the goldens.
+// umbra78 figures: draws figures 1 to 6, prints their errors and cost, compares with the goldens.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/sheet.hpp"
@@ -25,7 +25,7 @@ struct Options {
 
 std::string picture_name(const Figure& figure) { return fmt::format("fig{}.png", figure.number); }
 
-// Of a figure's buffer: "ok", "DIFFERS", or "none" where there is no golden.
+// By name of a figure's buffer: "ok", "DIFFERS", or "none" where there is no golden.
 using Statuses = std::map<std::string, std::string>;
 
 Statuses statuses(const FigureSet& set, const Hashes& hashes,
@@ -94,9 +94,10 @@ void print_rows(const FigureSet& set, const Statuses& goldens) {
         fmt::print("{:<4}{:<33}{:<39}{:<8}{:>9}{:>8.1f}{:>9.1f}{:>8}{:>8}\n", f.number, f.shows,
                    f.hash, goldens.at(f.golden), f.machine_cycles, machine_ms(set, f), f.host_ms,
                    percent(false_shadow(f)), percent(false_light(f)));
-    fmt::print("\ncycles: of the machine, from scene to figure, at {} ns each; host ms: the same "
-               "way here.\nFS, FL: false shadow of the pixels lit in truth, false light of "
-               "those in shadow; mask >= 128 is shadow.\n",
+    fmt::print("\ncycles, sim ms: what the machine takes from the scene to the figure, at {} ns a "
+               "cycle; host ms: what\nthis computer took. FS: false shadow, of the pixels that are "
+               "lit in truth; FL: false light, of those in\nshadow in truth. A mask of at "
+               "least 128 counts as shadow.\n",
                set.clock_ns());
     for (const Figure& f : set.figures()) {
         if (!f.error || f.number == 6) continue;  // figure 6 is figure 5's mask
@@ -107,7 +108,7 @@ void print_rows(const FigureSet& set, const Statuses& goldens) {
     }
 }
 
-// Prints what differs and draws pictures of it; true if nothing does.
+// Prints what differs and draws a picture of each difference. Returns whether nothing differs.
 bool accept(std::span<const GoldenCheck> checks, const Options& options, int size_px,
             FileSet& files) {
     bool all_right = true;
@@ -124,8 +125,8 @@ bool accept(std::span<const GoldenCheck> checks, const Options& options, int siz
             write_png_rgb(picture, size_px, size_px, check.picture, &files);
             see = fmt::format("; see {}", picture.string());
         }
-        fmt::print(stderr, "umbra78: {} is not its golden: {}{}\n", check.buffer, check.problem,
-                   see);
+        fmt::print(stderr, "umbra78: {} differs from its golden: {}{}\n", check.buffer,
+                   check.problem, see);
     }
     return all_right;
 }
@@ -172,7 +173,7 @@ void run(const Options& options, int& exit_code) {
     print_rows(set, goldens);
     if (options.bless) fmt::print("Goldens written to {}.\n", options.goldens);
     if (options.check && right)
-        fmt::print("Every buffer is its golden in {}.\n", options.goldens);
+        fmt::print("Every buffer equals its golden in {}.\n", options.goldens);
     fmt::print("{}: fig1.png .. fig6.png, sheet.png, highlights.png, samplings.png, "
                "ap120b.png, figures.json; {:.0f} ms in all.\n", out.string(), total.count());
 }
@@ -187,7 +188,7 @@ void add_figures_command(CLI::App& app, int& exit_code) {
     const Argument check = command.flag(
         "--check", options->check,
         "Compare every stage's buffer with its golden; exit 1 if one differs");
-    command.flag("--bless", options->bless, "Make what was drawn the goldens").excludes(check);
+    command.flag("--bless", options->bless, "Make new goldens of what was drawn").excludes(check);
     command.flag("--json", options->json, "Print figures.json instead of the table");
     command.footer("Example:\n  umbra78 figures --out out --check");
     command.runs([options, &exit_code] { run(*options, exit_code); });

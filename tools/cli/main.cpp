@@ -1,4 +1,7 @@
-// umbra78: the program. Exit code 0: done; 1: it failed, or a golden differs; 2: wrong usage.
+// umbra78: the program. It reads the command line, runs one command and returns its exit code.
+//
+// Exit code 0: done; 1: it failed, or a golden or a row differs; 2: wrong usage. An error is one
+// line on standard error, whatever a file or an argument contained.
 #include "fixed/trap.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/suggest.hpp"
@@ -18,7 +21,7 @@ namespace {
 
 using namespace umbra78::tools;
 
-// Errors are one line, whatever a file or an argument held.
+// Control characters become blanks, so that the message stays one line.
 int fail(std::string what, int exit_code) {
     for (char& letter : what)
         if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
@@ -26,7 +29,7 @@ int fail(std::string what, int exit_code) {
     return exit_code;
 }
 
-// CLI11's error, made one line with a remedy.
+// CLI11's error as one line, with what to do about it.
 int fail_of_usage(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App* chosen = &app;
     std::string words;
@@ -60,6 +63,7 @@ int main(int argc, char** argv) {
     CLI::App app{"The shadow machine of Lance Williams' \"Casting Curved Shadows on Curved "
                  "Surfaces\" (1978), in fixed point and bit for bit."};
     app.name("umbra78");
+    app.set_version_flag("--version", "umbra78 " UMBRA78_VERSION);
     app.require_subcommand(1);
     int exit_code = 0;
     add_figures_command(app, exit_code);
@@ -71,12 +75,12 @@ int main(int argc, char** argv) {
     add_bands_command(app, exit_code);
     add_study_command(app, exit_code);
     add_settings_command(app, exit_code);
-    app.footer("Example:\n  umbra78 figures --out out");  // last: subcommands would inherit it
+    app.footer("Example:\n  umbra78 figures --out out");  // last, or the commands would inherit it
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) return fail_of_usage(app, error);
-        app.exit(error);  // --help
+        app.exit(error);  // --help, --version
     } catch (const std::bad_alloc&) {
         return fail("not enough memory; lower xy_bits or z_bits", 1);
     } catch (const std::exception& error) {

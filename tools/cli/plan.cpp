@@ -1,4 +1,4 @@
-// umbra78 plan: what a frame of a scene needs, what is left out, why, and the cycles that saves.
+// umbra78 plan: prints what a frame needs, what the plan leaves out, why, and the cycles saved.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/render/plan_words.hpp"
@@ -23,7 +23,7 @@ struct Options {
     bool json = false;
 };
 
-// The frame is drawn, since some counts are not known before.
+// The frame is drawn, because some counts are known only afterwards.
 struct Planned {
     LoadedScene scene;
     RenderJob job;
@@ -32,7 +32,8 @@ struct Planned {
     explicit Planned(const Options& options)
         : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
         if (scene.settings.arithmetic == shadow::Arithmetic::ap120b)
-            throw SceneError("a plan is the fixed-point machine's; give --set arithmetic=fixed");
+            throw SceneError("only the fixed-point machine has a plan; give --set "
+                             "arithmetic=fixed");
         job.render();
         ledger = job.ledger();
     }
@@ -123,10 +124,10 @@ void print_rows(const Options& options, const Planned& planned) {
     const std::uint64_t left = total(planned.cycles()), everything = planned.everything();
     const int ns = planned.scene.settings.timing.clock_ns;
     fmt::print("\nIn all {} unit cycles instead of {}; at {} ns a cycle, one unit after the other, "
-               "{:.1f} ms instead of {:.1f}.\n",
+               "this takes {:.1f} ms instead of {:.1f} ms.\n",
                grouped(left), grouped(everything), ns, simulated_ms(left, ns),
                simulated_ms(everything, ns));
-    if (starred) fmt::print("*: the count is known after drawing.\n");
+    if (starred) fmt::print("*: this count is known only after drawing.\n");
 }
 
 void run(const Options& options) {
@@ -145,7 +146,7 @@ void run(const Options& options) {
 void add_plan_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
     Command command(app, "plan",
-                    "Print what a frame needs, what is left out, why, and the cycles that saves");
+                    "Print what a frame needs, what is left out and why, and the cycles saved");
     command.scene(options->scene);
     command.set(options->set);
     command.json(options->json);

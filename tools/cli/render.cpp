@@ -1,4 +1,4 @@
-// umbra78 render: a scene file to a picture, its buffers, and what they cost.
+// umbra78 render: draws a scene file and writes its picture, its buffers, errors and costs.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/render/cycle_report.hpp"
@@ -44,7 +44,7 @@ Path picture_path(const Options& options) {
     return options.out.empty() ? Path(options.scene).stem().concat(".png") : Path(options.out);
 }
 
-// All files, or none.
+// Writes all files or, after an error, none.
 void write_files(const Options& options, const Rendered& rendered) {
     FileSet files;
     const Buffer picture = rendered.job.buffer(Plane::picture);
@@ -111,11 +111,11 @@ void print_rows(const Options& options, const Rendered& rendered) {
                percent(error.outside_band.false_shadow_rate()),
                percent(error.outside_band.false_light_rate()), error.isolated_pixels);
     if (!std::isnan(error.edge.mean))
-        fmt::print("edge        {:.2f} pixels from the true one in the mean, {:.1f} at most\n",
+        fmt::print("edge        {:.2f} pixels from the true edge on average, at most {:.1f}\n",
                    error.edge.mean, error.edge.hausdorff);
     if (error.tessellation_error)
-        fmt::print("truth       traced by Embree: {} % of the pixels answer otherwise with half as "
-                   "many triangles a side\n", percent(error.tessellation_error));
+        fmt::print("truth       traced by Embree; with half as many triangles a side {} % of the "
+                   "pixels change\n", percent(error.tessellation_error));
 }
 
 void run(const Options& options) {
@@ -137,12 +137,13 @@ void add_render_command(CLI::App& app, int&) {
     Command command(app, "render", "Render a scene file");
     command.scene(options->scene);
     command.text("--out", options->out, "FILE",
-                 "The picture; default: the scene's name with .png, here");
+                 "The picture; default: the scene's name with .png, in this folder");
     command.text("--buffers", options->buffers, "DIR",
-                 "Folder for the raw buffers, as PGM and NPY: Z of both views, intensity, mask "
-                 "before and after each filter, picture");
+                 "Folder for every stage's buffer, as PGM and NPY: Z of both views, intensity, "
+                 "the mask before and after each filter, the picture");
     command.set(options->set);
-    command.flag("--no-truth", options->no_truth, "Leave out the errors against exact truth");
+    command.flag("--no-truth", options->no_truth,
+                 "Do not compute the exact truth and the errors against it");
     command.json(options->json);
     command.footer([] {
         return settings_help() +

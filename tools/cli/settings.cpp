@@ -1,4 +1,4 @@
-// umbra78 settings: the one table of settings, for the README and the manual.
+// umbra78 settings: prints the table of settings and the profiles with their sources.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/render/report.hpp"

@@ -1,4 +1,5 @@
-// umbra78 study: a question put to the machine as a table of cases.
+// umbra78 study: runs a study (a table of cases, each drawn and measured), merges the parts of one,
+// or renders rows of its CSV again.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/cli/study_list.hpp"
@@ -8,6 +9,7 @@
 #include "tools/study/verify.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <iterator>
@@ -128,18 +130,25 @@ void add_verify(const Command& above, int& exit_code) {
     command.number("--sample", options->sample, "N", "How many rows, by a fixed seed")
         .range(1, 1 << 20)
         .default_shown();
+    command.json(options->json);
     command.footer("Example:\n  umbra78 study verify out/error-time/error-time.csv --sample 20");
     command.runs([options, &exit_code] {
         const Verified verified = verify(options->scene, options->sample, studies());
+        exit_code = verified.differences.empty() ? 0 : 1;
+        if (options->json) {
+            fmt::print("{}", tools::print(nlohmann::ordered_json{
+                                 {"csv", options->scene},
+                                 {"rows", verified.rows},
+                                 {"sampled", verified.sampled},
+                                 {"differences", verified.differences}}));
+            return;
+        }
         for (const std::string& difference : verified.differences) fmt::print("{}\n", difference);
-        if (!verified.differences.empty()) {
-            exit_code = 1;
-        } else {
+        if (verified.differences.empty())
             fmt::print("{}: {} of {} rows rendered again, no difference{}\n", options->scene,
                        verified.sampled, verified.rows,
                        verified.sampled < verified.rows
                            ? fmt::format("; --sample {} for all", verified.rows) : "");
-        }
     });
 }
 
@@ -147,16 +156,22 @@ void add_verify(const Command& above, int& exit_code) {
 
 void add_study_command(CLI::App& app, int& exit_code) {
     Command command(app, "study",
-                    "Run a study: a grid of settings, measured, plotted and told; alone, list "
-                    "them");
+                    "Run a study: a grid of settings, measured and plotted; alone, list them");
     for (const auto& each : studies()) add_study(command, *each);
     add_merge(command);
     add_verify(command, exit_code);
     command.needs_no_command_below();
+    const auto json = std::make_shared<bool>(false);
+    command.json(*json);
     command.footer("Example:\n  umbra78 study error-time --quick");
-    command.runs([command] {
+    command.runs([command, json] {
         if (command.has_command_below()) return;
-        for (const auto& each : studies()) fmt::print("{:<12} {}\n", each->name(), each->meaning());
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (const auto& each : studies()) {
+            list.push_back({{"study", each->name()}, {"meaning", each->meaning()}});
+            if (!*json) fmt::print("{:<12} {}\n", each->name(), each->meaning());
+        }
+        if (*json) fmt::print("{}", tools::print(list));
     });
 }
 

@@ -1,5 +1,7 @@
-// The studies of this program, in the order of the documentation. A new study is a folder of
-// tools/study/ and a line here and in study_list.cpp.
+// The studies of this program, in the order in which the documentation has them.
+//
+// To add a study: a folder in tools/study/ with a make_..._study(), a line here, a line in
+// study_list.cpp, and an umbra78_room() in CMakeLists.txt.
 #pragma once
 
 #include "tools/study/study.hpp"
@@ -8,7 +10,7 @@ namespace umbra78::tools::study {
 
 Studies studies();
 
-// Each is made by its own folder.
+// Defined in the studies' own folders.
 std::unique_ptr<Study> make_error_time_study();
 std::unique_ptr<Study> make_bias_study();
 std::unique_ptr<Study> make_widths_study();

@@ -1,4 +1,4 @@
-// umbra78 trace: one pixel's way through the post-process, every word and the cycle it came in.
+// umbra78 trace: prints every word of one pixel's way through the post-process, with its cycle.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/render/report.hpp"
@@ -37,7 +37,8 @@ std::optional<Pixel> parse_pixel(std::string_view text) {
 }
 
 std::string check_pixel(const std::string& text) {
-    return parse_pixel(text) ? "" : fmt::format("'{}' is no pixel; write x,y as in 80,180", text);
+    if (parse_pixel(text)) return "";
+    return fmt::format("'{}' is not a pixel; write x,y as in 80,180", text);
 }
 
 void run(const Options& options) {
@@ -78,13 +79,14 @@ void add_trace_command(CLI::App& app, int&) {
         .checked(check_pixel);
     command.set(options->set);
     command.text("--vcd", options->vcd, "FILE",
-                 "Write the machine's signals from the pixel's first cycle on, as a value change "
-                 "dump");
-    command.number("--cycles", options->cycles, "N", "Cycles of --vcd")
+                 "Write the machine's signals as a value change dump, starting with the pixel's "
+                 "first cycle");
+    command.number("--cycles", options->cycles, "N", "Number of cycles in the --vcd file")
         .range(1, 1 << 20)
         .default_shown();
     const Argument waterfall = command.flag(
-        "--waterfall", options->waterfall, "Print the pixel and the five after it, stage by stage");
+        "--waterfall", options->waterfall,
+        "Also print which stage this pixel and the next five are in, cycle by cycle");
     command.json(options->json).excludes(waterfall);
     command.footer("Settings are those of umbra78 render --help.\n"
                    "\nExample:\n  umbra78 trace tools/scenes/figures.toml --pixel 80,180 "

@@ -1,5 +1,5 @@
-// umbra78 animate: each picture is render's, what stands still is kept, and a sequence cut short
-// goes on to the same files.
+// umbra78 animate: each picture equals the one of `umbra78 render`, unchanged stages are kept, and
+// an interrupted sequence continues to the same files.
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
 #include "tools/render/frame_manifest.hpp"
@@ -159,7 +159,7 @@ TEST_F(Animate, PrintsARowAFrame) {
     EXPECT_EQ(ran.err, "");
     EXPECT_EQ(ran.out.find("frame_0001.png  light 0  nothing kept  "), 0u) << ran.out;
     EXPECT_NE(ran.out.find("\nframe_0002.png  light 1  same_depth  "), std::string::npos);
-    EXPECT_NE(ran.out.find("\na: 2 frames, 2 drawn, 0 there already; "), std::string::npos);
+    EXPECT_NE(ran.out.find("\na: 2 frames, 2 drawn, 0 already there; "), std::string::npos);
 }
 
 TEST_F(Animate, AFailureIsOneLine) {

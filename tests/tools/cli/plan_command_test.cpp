@@ -1,4 +1,4 @@
-// umbra78 plan: every omission with its reason, savings that add up, and errors of one line.
+// umbra78 plan: every omission has its reason, the savings add up, and errors are one line.
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
 #include "tools/render/plan_words.hpp"

@@ -1,4 +1,4 @@
-// The program as a user runs it: its messages and exit codes, and what it leaves behind.
+// The program as a user runs it: its output, messages and exit codes, and the files it writes.
 #include "shadow/frame/profiles.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
@@ -23,12 +23,12 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, trace, bands, study, settings, --help; see umbra78 "
-                       "--help"},
+                       "animate, cycles, trace, bands, study, settings, --help, --version; see "
+                       "umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, trace, bands, study, settings, --help; see umbra78 "
-                      "--help"},
+                      "animate, cycles, trace, bands, study, settings, --help, --version; see "
+                      "umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
@@ -45,7 +45,7 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
         {"bands --bias many",
          "--bias: Value many not in range 0 to 65536; see umbra78 bands --help"},
         {"trace a.toml", "--pixel is required; see umbra78 trace --help"},
-        {"trace a.toml --pixel 1:2", "--pixel: '1:2' is no pixel; write x,y as in 80,180; see "
+        {"trace a.toml --pixel 1:2", "--pixel: '1:2' is not a pixel; write x,y as in 80,180; see "
                                      "umbra78 trace --help"},
         {"trace a.toml --pixel 1,2 --json --waterfall",
          "--waterfall excludes --json; see umbra78 trace --help"},
@@ -108,15 +108,43 @@ TEST_F(Program, AFullDiskIsAFailureToo) {
 
 TEST_F(Program, EveryHelpHasAnExample) {
     for (const char* command : {"", "figures ", "render ", "plan ", "animate ", "cycles ",
-                                "trace ", "bands ", "study ", "settings "}) {
+                                "trace ", "bands ", "study ", "study error-time ",
+                                "study precision ", "study merge ", "study verify ",
+                                "settings "}) {
         const Ran ran = run(std::string(command) + "--help");
         EXPECT_EQ(ran.exit_code, 0);
         EXPECT_EQ(ran.err, "");
-        EXPECT_NE(ran.out.find("\nExample:\n  umbra78 "), std::string::npos) << ran.out;
+        const std::size_t example = ran.out.find("\nExample:\n  ");
+        ASSERT_NE(example, std::string::npos) << ran.out;
+        EXPECT_NE(ran.out.find("umbra78 " + std::string(command), example), std::string::npos)
+            << ran.out;
     }
     const std::string help = run("render --help").out;
     for (const shadow::Setting& s : shadow::settings_table())
         EXPECT_NE(help.find("\n  " + std::string(s.key) + " "), std::string::npos) << s.key;
+}
+
+// CMakeLists.txt has the one copy of the version.
+TEST_F(Program, VersionIsTheProjects) {
+    const std::string cmake = content(UMBRA78_SOURCE_DIR "/CMakeLists.txt");
+    const std::string before = "project(umbra78 VERSION ";
+    const std::size_t at = cmake.find(before) + before.size();
+    const std::string version = cmake.substr(at, cmake.find(' ', at) - at);
+    EXPECT_GE(std::count(version.begin(), version.end(), '.'), 2) << version;
+    const Ran ran = run("--version");
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.err, "");
+    EXPECT_EQ(ran.out, "umbra78 " + version + "\n");
+}
+
+// Every command whose numbers a program would read prints JSON.
+TEST_F(Program, StudyListsItselfAsJsonToo) {
+    const json list = parse_json(run("study --json").out);
+    const std::string text = run("study").out;
+    ASSERT_EQ(list.size(), 6u);
+    for (const json& row : list)
+        EXPECT_NE(text.find(row["study"].get<std::string>()), std::string::npos) << row;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6);
 }
 
 TEST_F(Program, RenderWritesThePictureAndTheBuffers) {
@@ -175,7 +203,51 @@ TEST_F(Program, ASceneWithFreePatchesHasErrorsIfBuiltWithEmbree) {
               std::string::npos) << ran.out;
 }
 
-TEST_F(Program, SettingsAreTheTable) {
+// Ranges and defaults, from hw/MACHINE.md and the README rather than from the table itself.
+TEST_F(Program, HelpHasTheRangesOfTheManual) {
+    const std::string help = run("render --help").out;
+    const struct {
+        const char *key, *range;
+    } expected[] = {
+        {"xy_bits", "4 .. 12 bits; default 9"},
+        {"z_bits", "4 .. 24 bits; default 16"},
+        {"coefficient_bits", "8 .. 32 bits; default 16"},
+        {"fraction_bits", "0 .. 12 bits; default 7"},
+        {"multipliers", "1 .. 16 multipliers; default 4"},
+        {"lookup", "nearest, bilinear; default nearest"},
+        {"registration", "centre, index; default centre"},
+        {"bias", "-16777216 .. 16777216 bias_unit; default 64"},
+        {"bias_unit", "quanta, texels, world; default quanta"},
+        {"dither", "none, uniform, triangular, normal4, normal; default none"},
+        {"dequantize", "0 .. 6 passes; default 0"},
+    };
+    for (const auto& [key, range] : expected) {
+        const std::size_t at = help.find("\n  " + std::string(key) + " ");
+        ASSERT_NE(at, std::string::npos) << key;
+        const std::size_t next = help.find('\n', at + 1) + 1;
+        const std::string line = help.substr(next, help.find('\n', next) - next);
+        EXPECT_EQ(line.substr(line.find_first_not_of(' ')), range) << key;
+    }
+}
+
+// The printed defaults are those of a scene that sets nothing.
+TEST_F(Program, PrintedDefaultsAreWhatAPlainSceneHas) {
+    write("s.toml", "[light]\nazimuth = -100\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n");
+    const Ran ran = run("render s.toml --no-truth --json --set xy_bits=5");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const json used = parse_json(ran.out)["settings"];
+    int compared = 0;
+    const json printed = parse_json(run("settings --json").out)["settings"];
+    for (const json& row : printed) {
+        const std::string key = row["key"];
+        if (key == "xy_bits") continue;
+        EXPECT_EQ(used[key], row["default"]) << key;
+        ++compared;
+    }
+    EXPECT_GT(compared, 30);
+}
+
+TEST_F(Program, SettingsListsTheWholeTable) {
     const std::string markdown = run("settings").out;
     const json table = parse_json(run("settings --json").out);
     ASSERT_EQ(table["settings"].size(), shadow::settings_table().size());
@@ -207,7 +279,7 @@ TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
     EXPECT_EQ(both.exit_code, 2);
 }
 
-TEST_F(Program, TraceTellsAPixelsWords) {
+TEST_F(Program, TracePrintsAPixelsWords) {
     const std::string pixel = "trace " + figures_scene_file + " --pixel 115,180 ";
     const Ran ran = run(pixel + "--vcd a.vcd --cycles 20 --waterfall");
     EXPECT_EQ(ran.exit_code, 0) << ran.err;

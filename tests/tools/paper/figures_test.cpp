@@ -1,4 +1,4 @@
-// Figures 1 to 6 and their goldens: what agrees, what is found to differ, and where.
+// Figures 1 to 6 and their goldens: equal buffers pass, a difference is reported with its pixel.
 #include "tools/paper/goldens.hpp"
 
 #include "tests/support/paths.hpp"
@@ -163,8 +163,8 @@ TEST_F(Goldens, TheCommandChecks) {
     plant("picture6.pgm", 1, 1);
     const auto differs = run("--check");
     EXPECT_EQ(differs.first, 1);
-    EXPECT_NE(differs.second.find("umbra78: picture6 is not its golden: first at x 511, y 511: "
-                                  "golden 1, drawn 0; 1 of 262144 pixels differ; see " +
+    EXPECT_NE(differs.second.find("umbra78: picture6 differs from its golden: first at x 511, "
+                                  "y 511: golden 1, drawn 0; 1 of 262144 pixels differ; see " +
                                   (out / "diff_picture6.png").string() + "\n"),
               std::string::npos) << differs.second;
     EXPECT_TRUE(fs::exists(out / "diff_picture6.png"));
