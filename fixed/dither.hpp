@@ -1,15 +1,16 @@
-// Dither: pseudo-normal words as sums of k uniform bytes, as an adder makes them.
+// Dither words: sums of k uniform bytes, which are nearly normal for a large k.
 //
 //   sum      = byte[0] + ... + byte[k-1]                 0 .. 255 k, mean 127.5 k
 //   word     = round_half_up((2 sum - 255 k) amplitude / 2^16)
 //   amplitude = round_half_up(size 2^fraction_bits 2^16 / (512 k))
 //
-// k = 1 is uniform, 2 triangular, from 3 on bell-shaped (the central limit); the support is
-// -size/2 .. +size/2 for every k, so a size of one texel stays within half a texel to each side,
-// and the variance of the sum is k (2^16 - 1) / 12, of the word about (size^2 / 12) / k.
+// k = 1 is uniform, 2 triangular, 3 and more bell-shaped (the central limit theorem). Words lie in
+// -size/2 .. +size/2 for every k, so a size of one texel stays within half a texel to each side.
+// The variance of the sum is k (2^16 - 1) / 12, that of the word about (size^2 / 12) / k.
 //
-// Formats: size Q.8 texels; word in texels with fraction_bits fraction bits; probabilities are
-// counts out of 2^(8k), exact.
+// In: size in texels, 8 fraction bits; k = 1..12; 0..14 fraction bits of the word. Out: the word in
+// texels with fraction_bits fraction bits; probabilities as exact counts out of 2^(8k). Anything
+// else is a broken precondition.
 #pragma once
 
 #include <array>
@@ -53,7 +54,7 @@ constexpr int dither_word(int sum, int k, std::int32_t amplitude) {
 }
 
 // The exact distribution: sum_counts<K>()[s] of the 2^(8K) equally likely draws have the sum s.
-// Convolution with one more uniform byte is a running sum over 256 neighbours.
+// One more uniform byte convolves it with 256 ones, which is a running sum over 256 neighbours.
 template <int K>
 using SumCount = std::conditional_t<(K <= 7), std::uint64_t, WideInt<2>>;
 

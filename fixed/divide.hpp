@@ -1,9 +1,10 @@
-// The divider: one rounding at the quotient of two exact integers, with its certificate.
+// The divider: the quotient of two exact integers, rounded once, with a certificate.
 //
 //   value = round(num * 2^shift / den)      any 64-bit num, 1 <= den < 2^63, |shift| <= 62
 //
-// The dividend has up to 126 bits inside. What cannot be a quotient is a status, never a value
-// that must be told apart: den <= 0 (behind the eye) and a result outside `bits` signed bits.
+// The dividend has up to 126 bits. Where there is no quotient the status says so, and no value has
+// a special meaning: den <= 0 (a point behind the eye), and a result of more than `bits` bits,
+// 1..63, signed. Another shift or width is a broken precondition.
 //
 // Certificate. A quotient q rounded to nearest, whatever becomes of ties, satisfies
 //
@@ -47,8 +48,8 @@ constexpr ExactQuotient divide_magnitude(std::uint64_t num, std::uint64_t den, i
         const QuotientRemainder q = divide_wide(dividend, den);
         return {q.quotient, q.remainder, den, false};
     }
-    // num / den / 2^down: the remainder of the first division only says whether the fraction lies
-    // strictly between two multiples of 2^-down, so one sticky bit below them keeps all it tells.
+    // num / den / 2^down: of the first division's remainder only whether it is 0 matters, which one
+    // sticky bit below the quotient's bits keeps.
     const int down = -shift;
     const std::uint64_t q = num / den;
     const std::uint64_t low_bits = q & ((std::uint64_t{1} << down) - 1);

@@ -67,7 +67,7 @@ public:
                static_cast<std::uint64_t>(wrap_unsigned(mantissa_, mantissa_bits));
     }
 
-    // The same value with 1/2 <= |m| < 1: what "float" makes of a host's word.
+    // The same value with 1/2 <= |m| < 1, as the machine's "float" makes it from a host's word.
     constexpr Float38 normalised() const { return rounded(mantissa_, unit()); }
 
     friend constexpr Float38 operator+(const Float38& a, const Float38& b) {
@@ -84,7 +84,8 @@ public:
     friend constexpr Float38 operator/(const Float38& a, const Float38& b) {
         if (a.is_zero()) return {};
         if (b.is_zero()) return largest(a.is_negative());
-        // 28 bits each: the quotient has 34 or more, and a last one tells whether a rest is left.
+        // 28 bits each: the quotient has 34 or more, and a sticky bit says whether the division
+        // leaves a remainder.
         const Magnitude n = a.left_justified(), d = b.left_justified();
         const std::uint64_t num = n.word << quotient_shift;
         const auto q = static_cast<std::int64_t>(num / d.word << 1 | (num % d.word != 0 ? 1 : 0));
@@ -92,8 +93,8 @@ public:
                        n.unit - d.unit - quotient_shift - 1);
     }
 
-    // To an integer of `width` bits, convergent, or toward zero; what does not fit becomes the
-    // signed maximum.
+    // To an integer of `width` bits, to nearest even or as `r` says; what does not fit becomes the
+    // largest word of its sign.
     constexpr std::int32_t fix(int width, Rounding r = Rounding::half_even) const {
         require(width >= 2 && width <= 32, "Float38: fixed to 2..32 bits");
         const int down = -unit();
@@ -154,9 +155,9 @@ private:
         return {m << up, unit() - up};
     }
 
-    // a 2^unit_a + b 2^unit_b, of mantissas. The lesser unit's is brought to the other's with 32
-    // guard bits and one that tells whether anything lies below them: the floor of the sum with
-    // that bit rounds as the exact sum does.
+    // a 2^unit_a + b 2^unit_b, of mantissas. The one with the smaller unit is shifted right to the
+    // other's unit, with 32 guard bits and a sticky bit for everything below them. The floor of the
+    // sum with that bit rounds as the exact sum does.
     static constexpr Float38 sum(std::int64_t a, int unit_a, std::int64_t b, int unit_b) {
         if (a == 0) return rounded(b, unit_b);
         if (b == 0) return rounded(a, unit_a);

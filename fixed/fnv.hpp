@@ -3,8 +3,8 @@
 //   h = 0xcbf29ce484222325;  for each byte b:  h = (h xor b) * 0x100000001b3  mod 2^64
 //
 // Source: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, "The FNV Non-Cryptographic Hash
-// Algorithm" (IETF draft). Words are fed high byte first whatever the host's byte order, so a
-// hash is a hash over values. It guards against accidents, not against an adversary.
+// Algorithm" (IETF draft). Words are taken high byte first whatever the host's byte order, so a
+// hash depends on values only. It detects accidents, not an adversary.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Unsigned arithmetic on spans of 64-bit limbs, least significant first: the schoolbook methods
-// of Knuth, "The Art of Computer Programming" 2, section 4.3.1, which WideInt is made of.
+// Unsigned arithmetic on spans of 64-bit limbs, least significant first, from which WideInt is
+// made: the schoolbook methods of Knuth, "The Art of Computer Programming" 2, section 4.3.1.
 //
-// Results go over the first operand. What does not fit is returned: a carry, a borrow, or false.
+// A result replaces the first operand. What does not fit is returned: a carry, a borrow, or false.
 #pragma once
 
 #include <compare>
@@ -72,7 +72,7 @@ constexpr Limb subtract_product(std::span<Limb> a, std::span<const Limb> b, Limb
     return borrow;
 }
 
-// out = a * b, out all 0 before; false if the product does not fit.
+// out = a * b, where out is all 0 before; false if the product does not fit.
 constexpr bool multiply(std::span<Limb> out, std::span<const Limb> a, std::span<const Limb> b) {
     const std::size_t na = used(a), nb = used(b);
     for (std::size_t i = 0; i < na; ++i) {
@@ -95,7 +95,7 @@ constexpr bool multiply(std::span<Limb> out, std::span<const Limb> a, std::span<
 }
 
 // out = a << count (up) or a >> count (down), count < 64 out.size(). Bits that out has no room for
-// are lost; limbs that a does not have are 0 (up) or `fill` (down).
+// are dropped; limbs that a does not have count as 0 (up) or `fill` (down).
 constexpr void shift_up(std::span<Limb> out, std::span<const Limb> a, int count) {
     const auto whole = static_cast<std::size_t>(count / 64);
     const int part = count % 64;

@@ -11,11 +11,11 @@
 //
 // jump(k) goes k clocks ahead in O(log k): over GF(2) the shift is multiplication by x modulo the
 // recurrence's characteristic polynomial x^31 + x^3 + 1, so b[n+k] is the sum of those b[n+i] for
-// which x^k has the term x^i. A scan line's state is thus reached without drawing the ones before.
+// which x^k has the term x^i. So the state of a scan line does not need the lines before it.
 //
 // NoiseStream64 gives the same bits 64 at a time. Over GF(2) the fourth power of the polynomial
-// is x^124 + x^112 + 1, so b[n] = b[n-124] xor b[n-112], which looks back at least 64 bits and
-// hence yields a whole word at once: two funnel shifts and an exclusive or.
+// is x^124 + x^112 + 1, so b[n] = b[n-124] xor b[n-112]. Both terms are at least 64 bits back, so
+// a whole word is two funnel shifts and an exclusive or.
 #pragma once
 
 #include <bit>
@@ -31,7 +31,7 @@ public:
     static constexpr int stages = 31;
     static constexpr std::uint64_t period = (std::uint64_t{1} << stages) - 1;
 
-    // Bit i of the seed is b[i]. The zero state never leaves itself, so it is not a seed.
+    // Bit i of the seed is b[i]. From the state 0 only zeros follow, so it is not a seed.
     constexpr explicit NoiseRegister(std::uint32_t seed) : state_(seed) {
         require(seed != 0 && seed <= period, "noise seed must be a nonzero 31-bit word");
     }
@@ -109,7 +109,7 @@ private:
 
 class NoiseStream64 {
 public:
-    // Goes on where the register stands.
+    // Starts at the register's next bit.
     constexpr explicit NoiseStream64(NoiseRegister start)
         : low_(start.take(64)), high_(start.take(64)) {}
 

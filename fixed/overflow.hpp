@@ -1,14 +1,14 @@
-// Overflow: what becomes of an exact value that is to be held in a word of `bits` bits.
+// Overflow: what happens to an exact value that is stored in a word of `bits` bits.
 //
 //   signed word    -2^(bits-1) .. 2^(bits-1) - 1     1 <= bits <= 64
 //   unsigned word  0 .. 2^bits - 1                   1 <= bits <= 63 (values are int64 here)
 //
-//   wrap                 v mod 2^bits, what an adder without a flag does
+//   wrap                 v mod 2^bits, as an adder without an overflow flag
 //   saturate             the nearest word of the interval
 //   saturate_symmetric   the same on -(2^(bits-1) - 1) .. 2^(bits-1) - 1, so that negation closes
-//   trap                 the caller claims it fits; a wrong claim stops the program
+//   trap                 the caller claims that it fits; a wrong claim is a broken precondition
 //
-// Each is a function of its own. narrow() picks one at run time, for the knobs of a machine.
+// Each is a function of its own. narrow() chooses one at run time, for a machine's settings.
 #pragma once
 
 #include <cstdint>
@@ -75,7 +75,7 @@ constexpr std::int64_t narrow(std::int64_t v, int bits, Overflow overflow) {
     trap("narrow: unknown overflow mode");
 }
 
-// The unsigned interval is its own mirror image only at 0: symmetric saturation is saturation.
+// An unsigned interval has no negative side, so symmetric saturation is saturation.
 constexpr std::int64_t narrow_unsigned(std::int64_t v, int bits, Overflow overflow) {
     switch (overflow) {
         case Overflow::wrap: return wrap_unsigned(v, bits);

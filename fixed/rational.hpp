@@ -1,12 +1,11 @@
 // Rational: an exact fraction num / den of 512-bit integers, den > 0.
 //
-// For scenes and matrices before they become words: every decimal, degree of freedom and ratio
-// stays exact until the one named rounding, round_scaled(). Common powers of two are taken out
-// after each operation, which is nearly all there is to take out of binary fixed-point data; the
-// full gcd is called only when an operand has grown past 240 bits, so that products still fit.
-// A value that needs more than 511 bits even when reduced traps.
-//
-// numerator() and denominator() are therefore not always in lowest terms; reduced() is.
+// For scenes and matrices before they become words: every value stays exact until the one
+// rounding, round_scaled(). Common powers of two are divided out after each operation; fixed-point
+// data seldom has other common factors. The full gcd is computed only when an operand has grown
+// beyond 240 bits, so that products still fit. So numerator() and denominator() are not always in
+// lowest terms; those of reduced() are.
+// A value that needs more than 511 bits even when reduced is a broken precondition; so is x / 0.
 #pragma once
 
 #include <compare>
@@ -88,7 +87,7 @@ public:
         if (log2 > 63) {
             return false;
         }
-        if (log2 < -1) {  // |value| < 1/2, so only its sign matters: as good as +-1/4
+        if (log2 < -1) {  // |value| < 1/2, so only its sign matters: it rounds as +-1/4 does
             out = round_shift(is_negative() ? -1 : 1, 2, r);
             return true;
         }
@@ -107,7 +106,7 @@ private:
             floor -= 1;
             remainder += d;
         }
-        // rounds_up() wants words: 0, 1, 2, 3 stand for none, under a half, a half, over a half.
+        // rounds_up() takes words: 0, 1, 2, 3 quarters for nothing, less than a half, a half, more.
         const auto half = (remainder << 1) <=> d;
         const unsigned quarters = remainder.is_zero() ? 0 : half < 0 ? 1 : half == 0 ? 2 : 3;
         if (rounds_up(n.is_negative(), floor.is_odd(), 2 * quarters, 4, r)) {
@@ -120,7 +119,7 @@ private:
         return true;
     }
 
-    // Stein's binary algorithm; a >= 0, b > 0, not both even: normalize() has seen to that.
+    // Stein's binary algorithm; a >= 0, b > 0, not both even, which normalize() ensures.
     static constexpr Int gcd(Int a, Int b) {
         if (a.is_zero()) {
             return b;

@@ -4,12 +4,13 @@
 // unrolled by M. Dickinson for CPython's math.isqrt. v is shifted left by an even count to n,
 // 2^62 <= n < 2^64; a table gives 8 bits of its root, two Newton steps 16 and 32:
 //
-//   r = floor((x + n/x) / 2)      in integers (x 2^k the last root): (x << k-1) + (n >> k+1) / x
+//   r = floor((x + n/x) / 2)      in integers, with x 2^k for the root before:
+//                                 (x << k-1) + (n >> k+1) / x
 //
 // Why it is exact. (x + n/x)/2 - sqrt n = (x - sqrt n)^2 / (2 x), which lies in 0 .. 1 whenever
 // |x - sqrt n| < sqrt(2 x). Then r - 1 < sqrt n < r + 1, so r is the root or one more, and one
-// comparison decides. The table is within one of the 8-bit root (a test checks every entry), hence
-// the 16-bit root within one, hence the last; and one, scaled by 2^8 or 2^16, is below sqrt(2 x).
+// comparison decides. The table is within one of the 8-bit root (a test checks every entry), so the
+// 16-bit root is within one, and so is the last; one, scaled by 2^8 or 2^16, is below sqrt(2 x).
 #pragma once
 
 #include <array>

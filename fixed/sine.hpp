@@ -3,21 +3,22 @@
 //   sine   = nearest integer to 2^30 sin(degrees_q16 / 2^16 degrees)    in   Q15.16 degrees
 //   cosine = nearest integer to 2^30 cos(degrees_q16 / 2^16 degrees)    out  Q1.30, 1.0 is 2^30
 //
-// That sentence is the whole specification: any correct program, in any language, gives these
-// words. No value is a tie, for a sine of a rational number of degrees that is itself rational is
-// 0, +-1/2 or +-1 (Niven). Over every angle there is (tests/fixed/long_sine_test.cpp) the closest
-// to a tie is the sine of 236262/65536 degrees, 51 units of 2^-63 (2^-57.3) away from it, and the
-// evaluation below is off by 3 units at most. (The 53-bit sine and cosine of libm, given the angle
-// in radians and unreduced, get 5 of the 47 million words wrong.)
+// These two lines are the whole specification: any correct program, in any language, gives these
+// words. No value is a tie, because a sine of a rational number of degrees that is itself rational
+// is 0, +-1/2 or +-1 (Niven). Of all angles (tests/fixed/long_sine_test.cpp) the closest to a tie
+// is the sine of 236262/65536 degrees, which is 51 units of 2^-63 (2^-57.3) away from it; the
+// evaluation below has an error of at most 3 units. (The 53-bit sine and cosine of libm, given the
+// angle in radians and unreduced, get 5 of the 47 million words wrong.)
+// In: any 32-bit word. There are no errors.
 //
-// Evaluation. The angle is reduced modulo 360 and folded into 0..45 degrees in integers, hence
-// exactly. There, with x in radians, y = x^2, all in U1.63:
+// Evaluation. The angle is reduced modulo 360 and folded into 0..45 degrees in integers, which
+// is exact. There, with x in radians, y = x^2, all in U1.63:
 //
 //   sin x = x (1 - y/(2*3) (1 - y/(4*5) (1 - ... )))      to y^10 / 21!, the rest is < 2^-79
 //   cos x =    1 - y/(1*2) (1 - y/(3*4) (1 - ... ))       to y^10 / 20!, the rest is < 2^-77
 //
-// Every step truncates; its error is multiplied by at most 0.31 in the next one. The sum stays
-// under 8 units of 2^-63, that is under 2^-60, or 2^-30 of the result's last place.
+// Every step truncates, and its error is multiplied by at most 0.31 in the next one. The sum of the
+// errors is less than 8 units of 2^-63, that is 2^-60, or 2^-30 of the result's last place.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,9 @@
 // WideInt<Limbs>: a signed two's complement integer of 64 * Limbs bits.
 //
-// For what must be exact and is not on a pixel's path: certificates, rationals, decimals, tables.
-// Every operation gives the exact result or traps: nothing wraps. Division truncates towards zero
-// and the remainder has the dividend's sign, as for the built-in types; >> is the floor.
+// For what must be exact and is not computed for each pixel: certificates, rationals, decimals,
+// tables. Every operation gives the exact result; one that does not fit is a broken precondition,
+// and nothing wraps. Division truncates towards zero and the remainder has the dividend's sign, as
+// for the built-in types; >> rounds down (the floor).
 #pragma once
 
 #include <array>
@@ -166,7 +167,7 @@ private:
         limbs::subtract(result.limb_, limb_);
         return result;
     }
-    // |*this| read as an unsigned word; 2^(bits-1) for the least value.
+    // |*this| read as an unsigned word; 2^(bits-1) for the smallest value.
     constexpr WideInt magnitude_bits() const {
         return is_negative() ? negated_bits() : *this;
     }

@@ -1,7 +1,9 @@
-// The 64 x 64 -> 128 bit product and the 128 / 64 bit quotient, on which every wider thing stands.
+// The 64 x 64 -> 128 bit product and the 128 / 64 bit quotient, from which all wider arithmetic is
+// made.
 //
 // The portable forms use 32-bit halves only, so they are the same on a Cortex-M3. Where the
-// compiler has a 128-bit type the product takes it; the tests hold the two equal bit for bit.
+// compiler has a 128-bit type the product uses it; a test holds the two equal bit for bit.
+// A quotient of more than 64 bits, and so a division by 0, is a broken precondition.
 #pragma once
 
 #include <bit>

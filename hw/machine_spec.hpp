@@ -1,8 +1,9 @@
-// The machine's widths and roundings: one value, handed to every unit, never global.
+// The machine's widths and roundings: one value that every unit is given. Nothing is global.
 //
-// 1978's machine is the default value: a 512 x 512 frame store, 16-bit Z, a 16 x 16-bit
-// multiplier-accumulator of 35 bits (TRW's TDC1010J class). Every width is a knob; the formats
-// that follow from the widths are the member functions, and `check` says whether they close.
+// The default is the machine of 1978: a 512 x 512 frame store, 16-bit Z, a multiplier-accumulator
+// of 16 x 16 bits into 35 (the class of TRW's TDC1010J). Every width can be set. The member
+// functions are the formats that follow from the widths, and `check` says which width, if any, is
+// out of the range in which no sum and no shift overflows.
 //
 // Screen space is a cube: X, Y and Z are counted in pixels from its centre, so an orthographic
 // view's Z quantum is 2^-depth_fraction() pixel (1/128 by default). See hw/MACHINE.md, section 2.
@@ -16,18 +17,18 @@ namespace umbra78::hw {
 
 using fixed::Rounding;
 
-// Where the one rounding of a perspective quotient stands: behind the exact accumulators, or
-// (to show what it costs) on x and w before the division.
+// Where a perspective quotient is rounded: once, after the division of the exact accumulators; or
+// x and w also before it, to show what that costs.
 enum class DivideOrder : std::uint8_t { exact, round_first };
 
 struct MachineSpec {
     int xy_bits = 9;            // pixels a side = 2^xy_bits; 4..12
     int z_bits = 16;            // 4..24; the all-ones code is the background
     int coefficient_bits = 16;  // signed Q1.(bits - 2), one exponent a row; 8..32
-    int fraction_bits = 7;      // of X and Y behind the transform; 0..12
+    int fraction_bits = 7;      // of X and Y after the transform; 0..12
     int multipliers = 4;        // 1, 4 or 16 multipliers of 16 x 16 bits
     int max_accumulator_bits = 64;  // bits a row's accumulator may have; 16..64, see built_bits()
-    Rounding product_rounding = Rounding::floor;  // of what a shorter accumulator has no place for
+    Rounding product_rounding = Rounding::floor;  // of products, if the accumulator is short
     Rounding transform_rounding = Rounding::half_up;
     Rounding coefficient_rounding = Rounding::half_even;
     Rounding depth_rounding = Rounding::half_up;
@@ -49,7 +50,7 @@ struct MachineSpec {
     // the bits of both factors and two more. The machine has three more, 35 by default, as the
     // single-chip multiplier-accumulators of the time had (TRW TDC1010J: 16 x 16 bits into 35).
     constexpr int accumulator_bits() const { return word_bits() + coefficient_bits + 3; }
-    // A shorter accumulator lacks low bits: a product is rounded to those there are as it is added.
+    // A shorter accumulator lacks low bits, and each product is rounded to its bits when added.
     constexpr int dropped_bits() const {
         const int excess = accumulator_bits() - max_accumulator_bits;
         return excess > 0 ? excess : 0;

@@ -1,10 +1,12 @@
-// The noise source: a place's own pair of dither words, from one 31-stage shift register.
+// The noise source: two dither words for each pixel position, from one 31-stage shift register.
 //
-// Every pixel position owns 16 k successive bits of the register's stream, visible or not; the
-// first 8 k make the X word, the next 8 k the Y word: the sum of k unsigned bytes, centred and
-// scaled to `size` texels peak to peak. k = 1 is uniform, 2 triangular, 4 and 12 pseudo-normal
-// (Williams 1978, p. 273: normal, within -.5 .. +.5). A scan line's state is reached by a jump,
-// so what is drawn does not depend on the order of the work.
+// Every pixel, visible or not, owns 16 k successive bits of the register's stream. The first 8 k
+// make the X word, the next 8 k the Y word: the sum of k unsigned bytes, centred and scaled to
+// `size` texels peak to peak (fixed/dither.hpp). k = 1 is uniform, 2 triangular, 4 and 12
+// pseudo-normal (Williams 1978, p. 273: normal, within -.5 .. +.5). A pixel's state is reached by
+// a jump, so the words do not depend on the order in which pixels are worked on.
+// In: the dither's settings; a shape other than `none`, and a seed of 31 bits that is not 0. Out:
+// words in texels with MachineSpec::fraction_bits fraction bits.
 #pragma once
 
 #include "fixed/noise.hpp"
@@ -41,7 +43,7 @@ constexpr bool silent(const Dither& dither, const MachineSpec& spec) {
     return largest * fixed::dither_amplitude(k, dither.size_q8, spec.fraction_bits) < 1 << 15;
 }
 
-// The noise of a run of successive pixels of one scan line.
+// The words of successive pixels, from (x, y) on.
 class NoiseSource {
 public:
     NoiseSource(const Dither& dither, const MachineSpec& spec, int x, int y)

@@ -1,9 +1,12 @@
-// What a stage without a clocked form costs: its operations, counted, on the machine's units.
+// The cost of a stage that has no clocked form: its counted operations, on the machine's units.
 //
-// Drawing and filters are costed in operations (hw/MACHINE.md, section 16): additions (a compare is
-// one) on as many adders as there are multipliers, products in passes of 16 x 16 bits, quotients
-// and roots a bit a cycle on one divider, and accesses of the frame store, one a cycle. Where
-// units work side by side, the busiest decides; one after the other, the sum.
+//   adders       additions and compares, on as many adders as there are multipliers
+//   multipliers  passes of 16 x 16 bits
+//   divider      quotients and roots, one divider, a bit a cycle
+//   store        accesses of the frame store, one a cycle
+//
+// Drawing and filters are costed in this way (hw/MACHINE.md, section 16). Where the units work side
+// by side the busiest one determines the time; one after the other, the sum.
 #pragma once
 
 #include "hw/machine_spec.hpp"
@@ -16,7 +19,7 @@ namespace umbra78::hw {
 struct Operations {
     std::uint64_t adds = 0;
     std::uint64_t products = 0, passes = 0;         // a wide product is 2 or 4 passes
-    std::uint64_t quotients = 0, quotient_bits = 0;  // roots too
+    std::uint64_t quotients = 0, quotient_bits = 0;  // roots, too
     std::uint64_t accesses = 0;
 
     constexpr Operations& operator+=(const Operations& o) {

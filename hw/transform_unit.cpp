@@ -85,7 +85,7 @@ std::int64_t TransformUnit::sum(Row row, const Words& v) const {
     return preloaded ? acc + constant_[static_cast<std::size_t>(row)] : acc;
 }
 
-// What an affine matrix has for W is the constant, whether it is summed up for the point or not.
+// For an affine matrix W is the constant, whether it is summed for the point or not.
 std::int64_t TransformUnit::sum_w(const Words& v) const {
     return matrix_.affine && !work_.w_row ? constant_[3] : sum(Row::w, v);
 }
@@ -113,7 +113,7 @@ Point TransformUnit::affine(const Words& v) const {
 Point TransformUnit::divided(const Words& v) const {
     Accumulators acc{sum(Row::x, v), sum(Row::y, v), sum(Row::z, v), sum_w(v)};
     if (spec_.divide_order == DivideOrder::round_first && !matrix_.affine) {
-        // The knob that shows what it costs: x and w lose the product's low bits first.
+        // The setting that shows what this costs: all sums first lose the product's low bits.
         for (std::int64_t& a : acc)
             a = fixed::round_shift(a, spec_.coefficient_bits - 2, spec_.transform_rounding);
     }
@@ -123,7 +123,7 @@ Point TransformUnit::divided(const Words& v) const {
         if (q.status != DivideStatus::ok) p.status = q.status;
         return q.value;
     };
-    // One bit more than the volume needs, so that just outside is a value and far out a status.
+    // One bit more than the volume needs: just outside it is a value, far outside a status.
     p.x = out(Row::x, spec_.fraction_bits, spec_.xy_bits + spec_.fraction_bits + 1);
     p.y = out(Row::y, spec_.fraction_bits, spec_.xy_bits + spec_.fraction_bits + 1);
     p.z = out(Row::z, spec_.depth_fraction(), spec_.z_bits + 1);

@@ -9,7 +9,11 @@
 // input `one` is the word 2^(bits - 2), so the fourth column holds t 2^(in - bits + 2) for a
 // translation t: with 16-bit Q8.7 words, +-256 pixels at exponent 0, in steps of a quantum.
 // The shadow's bias is part of the Z row (Williams 1978, p. 272).
-// Not emulated here: the clock (functional form; costs are closed forms, below).
+//
+// In: words of at most `bits` bits, coefficients of at most C bits. Out: X and Y in pixels from the
+// centre with fraction_bits fraction bits, Z in quanta from the middle of its range. A quotient
+// that does not exist (acc_w <= 0) or does not fit is a status of the point.
+// Not emulated here: the clock. This is the functional form; the cycles are closed forms, below.
 #pragma once
 
 #include "fixed/divide.hpp"
@@ -70,8 +74,8 @@ constexpr std::int64_t accumulate(const MatrixWords& m, Row row, const Words& v,
            std::int64_t{c[3]} * one;
 }
 
-// What an accumulator has no place for: the low bits of every product, rounded away as it is
-// added. The words keep their scale; the bits that are not there are zero.
+// The rounding of each product to the bits that a short accumulator has. The result keeps its
+// scale; the dropped bits are zero.
 struct ProductCut {
     int dropped = 0;
     Rounding rounding = Rounding::floor;
@@ -117,8 +121,8 @@ struct Point {
     DivideStatus status;  // of the perspective divide; ok where there is none
 };
 
-// What the unit computes of what an affine matrix makes constant. None of it changes a bit of a
-// frame; it is there to show that, and what it costs.
+// With an affine matrix these three give the same value for every point, so the unit may leave them
+// out. Computing them changes no bit of a frame; they show that, and what they cost.
 struct UnitWork {
     bool constant_product = false;  // c_r3 one for every point, not once for the matrix
     bool w_row = false;             // acc_w for every point
@@ -127,7 +131,7 @@ struct UnitWork {
 };
 
 // The unit as the shadow post-process uses it: screen words in, screen words of another view out.
-// Drawing gives it other words, and exact accumulators.
+// Drawing uses it with another word format and with exact accumulators.
 class TransformUnit {
 public:
     TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, UnitWork work = {})
@@ -141,7 +145,7 @@ public:
 
     Point affine(const Words& v) const;
     Point divided(const Words& v) const;
-    // One row of an affine matrix, with `fraction` fraction bits, however it is come by.
+    // One row of an affine matrix with `fraction` fraction bits, by a shift or by the divider.
     std::int64_t affine_row(Row row, const Words& v, int fraction) const;
 
     const MatrixWords& matrix() const { return matrix_; }
@@ -160,9 +164,9 @@ private:
     Accumulators constant_{};  // c_r3 one, preloaded
 };
 
-// Cycles a point takes of the multipliers. A 16 x 16 multiplier takes coefficients or words wider
-// than 16 bits in two passes each. Where w is 1 the fourth product is a preloaded constant and
-// the W row is left out, so an affine point costs 9 products; else 16.
+// Cycles that the multipliers need for a point. Coefficients or words of more than 16 bits take two
+// passes each. Where w is 1 the fourth product is a preloaded constant and the W row is left out,
+// so an affine point costs 9 products, any other 16.
 constexpr int transform_cycles(const MachineSpec& spec, bool affine, UnitWork work = {}) {
     const int passes = (spec.coefficient_bits > 16 ? 2 : 1) * (spec.word_bits() > 16 ? 2 : 1);
     const int rows = affine && !work.w_row ? 3 : 4;
@@ -174,9 +178,9 @@ constexpr int transform_cycles(const MachineSpec& spec, bool affine, UnitWork wo
     }
 }
 
-// Cycles of a serial restoring divider, a bit of the quotient each cycle (Sproull and Sutherland
-// 1968), to divide one point's X, Y and Z: a cycle for each bit of the quotient (sign, value and
-// the rounding bit) and two to load and to correct. Three quotients share one divider.
+// Cycles of one serial restoring divider for X, Y and Z of a point, one after the other: a cycle
+// for each bit of the quotient (sign, value and the rounding bit; Sproull and Sutherland, 1968) and
+// two to load and to correct.
 constexpr int serial_divide_cycles(const MachineSpec& spec) {
     const int xy = spec.xy_bits + spec.fraction_bits + 2;
     const int z = spec.z_bits + 2;

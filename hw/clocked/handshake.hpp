@@ -14,8 +14,8 @@
 //
 // The chain carries slot numbers only. Its user keeps what a token holds, and is called with
 // work(stage, cycle of the stay, slot).
-// In: at most 63 stages, each of 1 cycle or more. More, or a slot outside 0..62, is a broken
-// precondition.
+// In: at most 63 stages of 1 cycle or more (else a broken precondition), and slots 0..63: a token in
+// each stage and one that waits to enter.
 #pragma once
 
 #include "fixed/trap.hpp"
@@ -28,10 +28,10 @@
 namespace umbra78::hw {
 
 inline constexpr int max_stages = 63;
-using StageMask = std::uint64_t;  // a bit a stage; bit 63 is whoever feeds the chain
+using StageMask = std::uint64_t;  // a bit a stage; bit 63 is for what feeds the chain
 
-// The stages by themselves, without tokens and counters: 1.5 KB instead of the chain's 36 KB, for
-// who only asks which stages a machine has. What adds stages to one adds them to the other.
+// The stages without tokens and counters: 1.5 KB, where a chain has 36 KB. It is enough to ask which
+// stages a machine has; a unit adds its stages to either.
 class StageList {
 public:
     // Adds a stage; returns its number.
@@ -173,7 +173,7 @@ private:
     StageMask full_ = 0;
     std::array<Stage, max_stages> stage_{};
     std::array<StageTime, max_stages> time_{};
-    std::array<std::uint64_t, max_stages> waited_{};  // by slot
+    std::array<std::uint64_t, max_stages + 1> waited_{};  // by slot
     std::array<std::int8_t, max_stages> culprit_{};
     std::array<std::array<std::uint64_t, max_stages>, max_stages> blame_{};
 };

@@ -20,7 +20,8 @@ Dram::Dram(const DramTiming& timing, const DramMap& map, bool shown)
     fixed::require(map.banks >= 1 && ns(map.banks) <= max_banks, "dram: too many banks");
 }
 
-// Whether an access that starts then finds its row open, not for too long, and the column ready.
+// Whether an access that starts at start_ns finds its row open, for not too long, and may start a
+// column.
 bool Dram::hits(const Bank& bank, std::int32_t row, std::uint64_t start_ns) const {
     return bank.row == row && start_ns >= bank.ready_ns + ns(timing_.column_recovery_ns()) &&
            start_ns + ns(timing_.column_ns) <= bank.opened_ns + ns(DramTiming::longest_open_ns);
@@ -40,7 +41,7 @@ std::uint64_t Dram::ready_ns(std::span<const DramPlace> places, std::uint64_t at
 
 std::uint64_t Dram::due_ns() const { return std::min(video_due_ns_, refresh_due_ns_); }
 
-// Serves what fell due first, in all banks, and adds what of it lies behind `at_ns`.
+// Serves the cycle that fell due first, in all banks, and adds its part after `at_ns` to the waits.
 void Dram::steal(std::uint64_t at_ns, std::uint64_t& video_ns, std::uint64_t& refresh_ns) {
     const bool video = video_due_ns_ <= refresh_due_ns_;
     std::uint64_t begin = due_ns();
@@ -61,7 +62,7 @@ void Dram::steal(std::uint64_t at_ns, std::uint64_t& video_ns, std::uint64_t& re
     }
 }
 
-// One bank's part of a request that starts now: when its data is there.
+// One bank's part of a request that starts at start_ns; returns when its data is there.
 std::uint64_t Dram::serve(Bank& bank, std::int32_t row, std::uint64_t start_ns) {
     ++counts_.accesses;
     const bool open = bank.row != closed;

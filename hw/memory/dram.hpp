@@ -1,5 +1,5 @@
-// A frame store's dynamic memory in time: banks with an open row, and the cycles that refresh and
-// video read-out take from it. Bits never depend on it; it says only *when* an access is done.
+// The times of a frame store's dynamic memory: banks with an open row, and the cycles that refresh
+// and video read-out take. No bit depends on them; they say only when an access is done.
 //
 //   row open, and not for too long:   column_ns            (a page hit)
 //   row closed:                       access_ns            (a row miss)
@@ -8,10 +8,11 @@
 //
 // A request is for one place, or for one in each of several banks, which start together. It starts
 // when its banks are ready (for a page hit: a page cycle after the last column) and no refresh or
-// video cycle is due: at a tie those go first, in the order they fell due, the video before the
-// refresh. They wait for what has begun, take all banks, close all rows (a recovery, if one is
-// open) and last a whole cycle. All times are from the frame's start. What is published and what
-// assumed: hw/MACHINE.md, section 17.
+// video cycle is due. One that is due at the same time goes first; several go in the order in which
+// they fell due, at a tie the video before the refresh. Such a cycle waits for accesses that have
+// begun, takes all banks, closes all rows (a recovery, if one is open) and lasts a whole cycle.
+// In and out: nanoseconds from the frame's start. What is published and what is assumed:
+// hw/MACHINE.md, section 17.
 // Not emulated: set-up and hold times, the video's own buffer, vertical blanking.
 #pragma once
 
@@ -39,7 +40,7 @@ struct DramCounts {
     }
 };
 
-// When the video of a shown store asks for its words: one after the other within each line.
+// When the video of a shown store asks for its words: at equal distances within each line.
 constexpr std::uint64_t video_words_a_line(const DramMap& map) {
     return map.xy_bits > map.word_bits() ? std::uint64_t{1} << (map.xy_bits - map.word_bits()) : 1;
 }
@@ -59,8 +60,8 @@ public:
 
     Dram(const DramTiming& timing, const DramMap& map, bool shown);
 
-    // When the data of a request made at `at_ns` is there. Requests come one at a time: none is
-    // made before the one before it is done.
+    // When the data of a request that is made at `at_ns` is there. A request is made after the one
+    // before it is done, never earlier.
     std::uint64_t access(std::span<const DramPlace> places, std::uint64_t at_ns);
 
     const DramCounts& counts() const { return counts_; }

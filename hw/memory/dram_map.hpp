@@ -1,4 +1,4 @@
-// Where a pixel lies in its store's chips: bank, row, column, and the chip of its word.
+// Where a pixel is in its store's chips: bank, row, column, and which chip of the word.
 //
 // A bit plane of 512 x 512 is 16 chips of 2^14 bits, addressed together: a *word* is 16 pixels, and
 // pixel address y 2^n + x has its word in the high 14 bits, its chip in the low 4. A larger store
@@ -32,7 +32,7 @@ struct DramMap {
     static constexpr int word_address_bits = 14;
     static_assert(DramTiming::chip_rows * DramTiming::chip_columns == 1 << word_address_bits);
 
-    // Pixels in a word of all banks together, as a power of two: 16 pixels, or what it takes.
+    // Pixels in a word of all banks together, as a power of two: 16, or more in a larger store.
     constexpr int word_bits() const {
         const int n = 2 * xy_bits - word_address_bits;
         return n > 4 ? n : 4;

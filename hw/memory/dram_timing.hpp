@@ -9,8 +9,8 @@
 
 namespace umbra78::hw {
 
-// Which bits of a word's address are the chips' row: the high ones, so that a page is some whole
-// scan lines; or the low ones, so that reading out a few lines for the video visits every row.
+// Which bits of a word's address are the chips' row. The high ones: a page is some whole scan
+// lines. The low ones: the video visits every row within a few lines.
 enum class DramRows : std::uint8_t { lines, words };
 
 // Which stores are read out to a monitor while the post-process runs.
@@ -20,7 +20,7 @@ struct DramTiming {
     int access_ns = 200;  // from a closed row to its data
     int cycle_ns = 375;   // from one opening of a row to the next
     int column_ns = 135;  // from a column of the open row to its data
-    int page_ns = 225;    // from one column to the next; 0: rows are closed behind every access
+    int page_ns = 225;    // from one column to the next; 0: every access closes its row
     DramRows rows = DramRows::lines;
     Video video = Video::observer;
 
@@ -30,11 +30,11 @@ struct DramTiming {
     static constexpr int line_ns = 63'500;    // a television line at 15.75 kHz,
     static constexpr int active_ns = 52'000;  // and its visible part
 
-    // What a row costs behind its access before another can be opened (a cycle shorter than the
-    // access counts as one as long).
+    // From the end of an access until another row can be opened (a cycle shorter than the access
+    // counts as one as long).
     constexpr int recovery_ns() const { return cycle_ns > access_ns ? cycle_ns - access_ns : 0; }
     constexpr int whole_cycle_ns() const { return access_ns + recovery_ns(); }
-    // What a column costs behind its access before another can be read.
+    // From the end of a column's access until another column can be read.
     constexpr int column_recovery_ns() const {
         return page_ns > column_ns ? page_ns - column_ns : 0;
     }

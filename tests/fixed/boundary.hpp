@@ -1,5 +1,5 @@
-// What every test of this room shares: the boundary tables, a seeded source of awkward words, the
-// slow model of rounding, and a way to ask whether an expression is a constant.
+// What the tests of this room share: the boundary words, a seeded source of words near them, the
+// slow model of rounding, and a check whether an expression is a constant.
 #pragma once
 
 #include <array>
@@ -16,16 +16,16 @@ __extension__ using Int128 = __int128;
 // Words at which carries, signs and widths change.
 inline constexpr std::array<std::int64_t, 35> boundary_words{
     INT64_MIN,                     // magnitude and negation do not fit
-    INT64_MIN + 1,                 // the least word that can be negated
+    INT64_MIN + 1,                 // the smallest word that can be negated
     -0x7fffffff00000001,           // all ones above, one below
     -(std::int64_t{1} << 62) - 1,  // just outside a 63-bit word
-    -(std::int64_t{1} << 62),      // the least 63-bit word
+    -(std::int64_t{1} << 62),      // the smallest 63-bit word
     -(std::int64_t{1} << 62) + 1,
     std::int64_t{INT32_MIN} - 1,   // just outside a 32-bit word
-    INT32_MIN,                     // the least 32-bit word
+    INT32_MIN,                     // the smallest 32-bit word
     INT32_MIN + 1,
     INT16_MIN - 1,                 // just outside a 16-bit word
-    INT16_MIN,                     // the least 16-bit word
+    INT16_MIN,                     // the smallest 16-bit word
     INT16_MIN + 1,
     -3,                            // -1.5 at one fraction bit: a tie below zero
     -2,
@@ -36,17 +36,17 @@ inline constexpr std::array<std::int64_t, 35> boundary_words{
     3,                             // a tie above zero
     0x5555,                        // alternating bits
     INT16_MAX - 1,
-    INT16_MAX,                     // the greatest 16-bit word
+    INT16_MAX,                     // the largest 16-bit word
     INT16_MAX + 1,
-    UINT16_MAX,                    // the greatest unsigned 16-bit word
+    UINT16_MAX,                    // the largest unsigned 16-bit word
     UINT16_MAX + 1,
     0x55555555,
     INT32_MAX - 1,
-    INT32_MAX,                     // the greatest 32-bit word
+    INT32_MAX,                     // the largest 32-bit word
     std::int64_t{INT32_MAX} + 1,
     UINT32_MAX,                    // a carry out of the low half
     std::int64_t{UINT32_MAX} + 1,
-    (std::int64_t{1} << 62) - 1,   // the greatest 63-bit word
+    (std::int64_t{1} << 62) - 1,   // the largest 63-bit word
     std::int64_t{1} << 62,
     INT64_MAX - 1,
     INT64_MAX,                     // adding anything overflows

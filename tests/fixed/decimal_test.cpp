@@ -1,3 +1,4 @@
+// Decimals against literals; the short way against the long one; words that come back as printed.
 #include "fixed/decimal.hpp"
 
 #include <gtest/gtest.h>
@@ -149,10 +150,10 @@ TEST(PrintDecimal, Examples) {
 TEST(PrintDecimal, BufferTooShortTraps) {
     std::array<char, 4> buffer{};
     EXPECT_EQ(print_decimal(-5, 1, buffer), 4);
-    EXPECT_DEATH(print_decimal(-5, 2, buffer), "");
-    EXPECT_DEATH(print_decimal(0, 61, buffer), "");
-    EXPECT_DEATH(parse_decimal("0", 49, 64), "");
-    EXPECT_DEATH(parse_decimal("0", 0, 65), "");
+    EXPECT_DEATH(print_decimal(-5, 2, buffer), "buffer too short");
+    EXPECT_DEATH(print_decimal(0, 61, buffer), "0..60 fraction bits");
+    EXPECT_DEATH(parse_decimal("0", 49, 64), "0..48 fraction bits");
+    EXPECT_DEATH(parse_decimal("0", 0, 65), "signed width outside");
 }
 
 TEST(Decimal, Every16BitWordComesBack) {

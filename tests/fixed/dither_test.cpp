@@ -1,3 +1,4 @@
+// Dither words against words from an independent program, and their exact distribution.
 #include "fixed/dither.hpp"
 
 #include <gtest/gtest.h>

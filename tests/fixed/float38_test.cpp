@@ -16,7 +16,7 @@ using Wide = WideInt<24>;
 
 constexpr int lowest_unit = -512 - 27;
 
-// The value in units of the least bit that any word has.
+// The value in units of the smallest bit that any word has.
 Wide in_min_units(const Float38& f) {
     return Wide(f.mantissa()) << f.biased_exponent();
 }
@@ -82,18 +82,18 @@ void expect_all(const Float38& a, const Float38& b) {
 // Mantissas at which carries, signs and normalisation change; and exponents at the range's ends.
 const std::vector<std::int32_t> mantissas{
     0,
-    1,                       // unnormalised, the least
+    1,                       // unnormalised, the smallest
     0x5555555 >> 1,          // alternating
     (1 << 26) - 1,           // just unnormalised
-    1 << 26,                 // 1/2, the least normalised
+    1 << 26,                 // 1/2, the smallest normalised
     (1 << 26) + 1,
     (1 << 27) - 2,
-    (1 << 27) - 1,           // the greatest
+    (1 << 27) - 1,           // the largest
     -1,
     -(1 << 26) + 1,
     -(1 << 26),
     -(1 << 26) - 1,
-    -(1 << 27) + 1,          // the least normalised
+    -(1 << 27) + 1,          // the smallest normalised
     -(1 << 27),              // -1: a mantissa the two's complement has and no result is given
 };
 const std::vector<int> exponents{0,   1,   2,   26,  27,  28,   484, 485,

@@ -1,3 +1,4 @@
+// The hash against published vectors.
 #include "fixed/fnv.hpp"
 
 #include <gtest/gtest.h>

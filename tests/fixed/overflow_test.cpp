@@ -1,3 +1,4 @@
+// Wrapping and saturation of every 16-bit word and of the boundary words, by 128-bit models.
 #include "fixed/overflow.hpp"
 
 #include <gtest/gtest.h>
@@ -100,10 +101,10 @@ TEST(Narrow, IsTheNamedOperation) {
     }
     EXPECT_EQ(narrow(-32768, 16, Overflow::trap), -32768);
     EXPECT_EQ(narrow_unsigned(65535, 16, Overflow::trap), 65535);
-    EXPECT_DEATH(narrow(32768, 16, Overflow::trap), "");
-    EXPECT_DEATH(narrow(-32769, 16, Overflow::trap), "");
-    EXPECT_DEATH(narrow_unsigned(65536, 16, Overflow::trap), "");
-    EXPECT_DEATH(narrow_unsigned(-1, 16, Overflow::trap), "");
+    EXPECT_DEATH(narrow(32768, 16, Overflow::trap), "does not fit the signed");
+    EXPECT_DEATH(narrow(-32769, 16, Overflow::trap), "does not fit the signed");
+    EXPECT_DEATH(narrow_unsigned(65536, 16, Overflow::trap), "does not fit the unsigned");
+    EXPECT_DEATH(narrow_unsigned(-1, 16, Overflow::trap), "does not fit the unsigned");
 }
 
 TEST(Overflow, ContractsAreCompileErrorsAndTraps) {
@@ -114,9 +115,9 @@ TEST(Overflow, ContractsAreCompileErrorsAndTraps) {
     static_assert(!test::is_constant([] { return wrap_unsigned(5, 64); }));
     static_assert(!test::is_constant([] { return trap_overflow(8, 4); }));
     static_assert(test::is_constant([] { return trap_overflow(7, 4); }));
-    EXPECT_DEATH(wrap(5, 0), "");
-    EXPECT_DEATH(saturate_unsigned(5, 0), "");
-    EXPECT_DEATH(fits(5, 65), "");
+    EXPECT_DEATH(wrap(5, 0), "signed width outside");
+    EXPECT_DEATH(saturate_unsigned(5, 0), "unsigned width outside");
+    EXPECT_DEATH(fits(5, 65), "signed width outside");
 }
 
 }  // namespace

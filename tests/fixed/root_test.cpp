@@ -1,3 +1,4 @@
+// The square root by its definition: r^2 <= v < (r + 1)^2.
 #include "fixed/root.hpp"
 
 #include <gtest/gtest.h>

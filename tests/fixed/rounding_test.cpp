@@ -1,3 +1,4 @@
+// Every rounding mode against a model that searches for the nearest integer.
 #include "fixed/rounding.hpp"
 
 #include <gtest/gtest.h>
@@ -108,10 +109,10 @@ TEST(ScaleShift, LeftIsExactOrTraps) {
     }
     EXPECT_EQ(scale_shift(0, INT32_MIN, Rounding::floor), 0);
     EXPECT_EQ(scale_shift(-1, -63, Rounding::floor), INT64_MIN);
-    EXPECT_DEATH(scale_shift(1, -63, Rounding::floor), "");
-    EXPECT_DEATH(scale_shift(-1, -64, Rounding::floor), "");
-    EXPECT_DEATH(scale_shift(INT64_MAX, -1, Rounding::floor), "");
-    EXPECT_DEATH(scale_shift(INT64_MIN, -1, Rounding::floor), "");
+    EXPECT_DEATH(scale_shift(1, -63, Rounding::floor), "left shift does not fit");
+    EXPECT_DEATH(scale_shift(-1, -64, Rounding::floor), "left shift does not fit");
+    EXPECT_DEATH(scale_shift(INT64_MAX, -1, Rounding::floor), "left shift does not fit");
+    EXPECT_DEATH(scale_shift(INT64_MIN, -1, Rounding::floor), "left shift does not fit");
 }
 
 TEST(RoundDivide, BoundaryPairs) {
@@ -173,10 +174,10 @@ TEST(Rounding, ContractsAreCompileErrorsAndTraps) {
     static_assert(!test::is_constant([] { return round_shift(5, -1, f); }));
     static_assert(!test::is_constant([] { return scale_shift(5, -62, f); }));
     static_assert(!test::is_constant([] { return round_divide(5, 0, f); }));
-    EXPECT_DEATH(round_shift(5, 63, f), "");
-    EXPECT_DEATH(round_shift(5, -1, f), "");
-    EXPECT_DEATH(round_divide(5, 0, f), "");
-    EXPECT_DEATH(round_divide(INT64_MIN, -1, f), "");
+    EXPECT_DEATH(round_shift(5, 63, f), "shift outside 0..62");
+    EXPECT_DEATH(round_shift(5, -1, f), "shift outside 0..62");
+    EXPECT_DEATH(round_divide(5, 0, f), "division by zero");
+    EXPECT_DEATH(round_divide(INT64_MIN, -1, f), "does not fit");
 }
 
 TEST(Magnitude, OfTheBoundaryWords) {

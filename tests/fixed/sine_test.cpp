@@ -1,3 +1,4 @@
+// Sine and cosine against the slow model, at special angles and random ones.
 #include "fixed/sine.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Wide integers against 128-bit ones, and by the laws that need no wider type.
 #include "fixed/wide_int.hpp"
 
 #include <gtest/gtest.h>
@@ -134,22 +135,22 @@ TEST(WideInt, EveryOverflowTraps) {
     static_assert(!test::is_constant([] { return (WideInt<1>(INT64_MIN) - 1).to_int64(); }));
     static_assert(!test::is_constant([] { return (-WideInt<1>(INT64_MIN)).to_int64(); }));
     const Wide2 max = ((Wide2(1) << 126) - 1) * 2 + 1, min = -max - 1;
-    EXPECT_DEATH(max + 1, "");
-    EXPECT_DEATH(min - 1, "");
-    EXPECT_DEATH(-min, "");
-    EXPECT_DEATH(min * -1, "");
-    EXPECT_DEATH(min / -1, "");
-    EXPECT_DEATH(max * 2, "");
-    EXPECT_DEATH(max * 3, "");                            // a carry leaves the top limb
-    EXPECT_DEATH((Wide2(1) << 64) * (Wide2(1) << 64), "");  // a whole limb does
-    EXPECT_DEATH((Wide2(1) << 100) * (Wide2(1) << 100), "");
-    EXPECT_DEATH(max << 1, "");
-    EXPECT_DEATH(Wide2(1) << 127, "");
-    EXPECT_DEATH(Wide2(1) << 128, "");
-    EXPECT_DEATH(Wide2(1) >> -1, "");
-    EXPECT_DEATH(Wide2(1) / 0, "");
-    EXPECT_DEATH((Wide2(1) << 63).to_int64(), "");
-    EXPECT_DEATH(WideInt<1>(Wide2(1) << 63), "");
+    EXPECT_DEATH(max + 1, "sum overflow");
+    EXPECT_DEATH(min - 1, "difference overflow");
+    EXPECT_DEATH(-min, "negation overflow");
+    EXPECT_DEATH(min * -1, "overflow");
+    EXPECT_DEATH(min / -1, "result overflow");
+    EXPECT_DEATH(max * 2, "overflow");
+    EXPECT_DEATH(max * 3, "overflow");                            // a carry leaves the top limb
+    EXPECT_DEATH((Wide2(1) << 64) * (Wide2(1) << 64), "overflow");  // a whole limb does
+    EXPECT_DEATH((Wide2(1) << 100) * (Wide2(1) << 100), "product overflow|result overflow");
+    EXPECT_DEATH(max << 1, "left shift overflow");
+    EXPECT_DEATH(Wide2(1) << 127, "left shift overflow");
+    EXPECT_DEATH(Wide2(1) << 128, "count outside");
+    EXPECT_DEATH(Wide2(1) >> -1, "count outside");
+    EXPECT_DEATH(Wide2(1) / 0, "division by zero");
+    EXPECT_DEATH((Wide2(1) << 63).to_int64(), "does not fit 64");
+    EXPECT_DEATH(WideInt<1>(Wide2(1) << 63), "does not fit");
     EXPECT_EQ(min * 1, min);
     EXPECT_EQ(min / 1, min);
     EXPECT_EQ((min >> 127).to_int64(), -1);

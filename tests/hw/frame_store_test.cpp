@@ -65,7 +65,7 @@ TEST(FrameStore, ReadersCannotWrite) {
     EXPECT_EQ(read.intensity.size(), 256u);
 }
 
-// The width stands in the store and in the machine; both planes have the machine's size.
+// The store and the machine both have a width; both planes have the machine's size.
 TEST(FrameStore, FitsOneMachine) {
     MachineSpec spec;
     spec.xy_bits = 5;

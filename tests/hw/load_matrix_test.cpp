@@ -29,11 +29,11 @@ TEST(LoadMatrix, WordsAndExponentsOfKnownRows) {
     const std::array<Case, 9> cases{{
         {1, 0, 1 << 14},
         {2, 1, 1 << 14},
-        {-2, 0, -(1 << 15)},                   // the least word
+        {-2, 0, -(1 << 15)},                   // the smallest word
         {Rational(1, 2), -1, 1 << 14},
         {Rational(-1, 2), -2, -(1 << 15)},
         {Rational(65535, 32768), 1, 1 << 14},  // 2 - 2^-15 rounds up to 2: one exponent more
-        {Rational(32767, 16384), 0, 32767},    // the greatest word
+        {Rational(32767, 16384), 0, 32767},    // the largest word
         {Rational(1, 3), -2, 21845},           // 1/3 2^16 = 21845.33
         {0, 0, 0},
     }};
@@ -46,7 +46,7 @@ TEST(LoadMatrix, WordsAndExponentsOfKnownRows) {
     }
 }
 
-// The model tries every exponent from the least one on.
+// The model tries every exponent from the smallest one on.
 TEST(LoadMatrix, TakesTheSmallestExponentThatFits) {
     Random random;
     for (int n = 0; n < 4000; ++n) {
@@ -91,7 +91,7 @@ TEST(LoadMatrix, NamesARowOutOfRange) {
     EXPECT_EQ(load_matrix(matrix_of({limit, 0, 0}), {}, words_1978, m),
               LoadStatus::exponent_out_of_range);
     EXPECT_EQ(load_matrix(matrix_of({-limit, 0, 0}), {}, words_1978, m), LoadStatus::ok);
-    // A row too small for the least exponent becomes small words, or zero; that is no error.
+    // A row too small for the smallest exponent becomes small words, or zero; that is no error.
     const Rational small(1, std::int64_t{1} << 45);
     EXPECT_EQ(load_matrix(matrix_of({small, 0, 0}), {}, words_1978, m), LoadStatus::ok);
     EXPECT_EQ(m.exponent[0], min_exponent);
@@ -128,8 +128,8 @@ TEST(LoadMatrix, AnAffineMatrixIsDividedByItsW) {
     EXPECT_EQ(plain.exponent, scaled.exponent);
 }
 
-// Closure: with every word at its least or greatest no sum leaves accumulator_bits, and no shift
-// behind it traps at any exponent.
+// Closure: with every word at its minimum or maximum no sum exceeds accumulator_bits, and no shift
+// after it overflows at any exponent.
 TEST(LoadMatrix, CornerProductsStayWithinTheAccumulator) {
     for (int xy = 4; xy <= 12; xy += 4) {
         for (const int z : {4, 12, 16, 24}) {

@@ -1,4 +1,4 @@
-// The specification: 1978's formats, the ranges of the knobs, and that every width closes.
+// The specification: 1978's formats, the ranges of the widths, and that no width overflows.
 #include "hw/transform_unit.hpp"
 #include "hw/machine_spec.hpp"
 
@@ -26,7 +26,7 @@ TEST(MachineSpec, TheDefaultIs1978s) {
 
 TEST(MachineSpec, EveryKnobIsRefusedOneStepOutsideItsRange) {
     struct Case {
-        int MachineSpec::*knob;
+        int MachineSpec::*width;
         int min, max;
         SpecStatus status;
     };
@@ -40,7 +40,7 @@ TEST(MachineSpec, EveryKnobIsRefusedOneStepOutsideItsRange) {
     for (const Case& c : cases) {
         for (int value = c.min - 2; value <= c.max + 2; ++value) {
             MachineSpec m;
-            m.*c.knob = value;
+            m.*c.width = value;
             const bool inside = value >= c.min && value <= c.max;
             EXPECT_EQ(check(m), inside ? SpecStatus::ok : c.status) << value;
         }
@@ -77,11 +77,11 @@ TEST(Divider, ASerialQuotientTakesACycleABitAndTwo) {
     // X and Y: 9 integer and 7 fraction bits, sign, rounding; Z: 16 bits, sign, rounding.
     EXPECT_EQ(serial_divide_cycles({}), 2 * (9 + 7 + 2 + 2) + (16 + 2 + 2));
     MachineSpec m;
-    for (const auto& [knob, cycles] :
+    for (const auto& [width, cycles] :
          {std::pair{&MachineSpec::xy_bits, 2}, std::pair{&MachineSpec::fraction_bits, 2},
           std::pair{&MachineSpec::z_bits, 1}, std::pair{&MachineSpec::coefficient_bits, 0}}) {
         MachineSpec wider = m;
-        wider.*knob += 1;
+        wider.*width += 1;
         EXPECT_EQ(serial_divide_cycles(wider) - serial_divide_cycles(m), cycles);
     }
 }

@@ -1,4 +1,4 @@
-// The noise source: a place owns its noise. Against a register that shifts a bit at a time.
+// The noise source against a register that shifts a bit at a time: each pixel owns its words.
 #include "hw/noise_source.hpp"
 
 #include "tests/fixed/boundary.hpp"
@@ -72,7 +72,7 @@ TEST(NoiseSource, BelongsToThePlace) {
             ASSERT_EQ(a.x, b.x) << x << ',' << y;
             ASSERT_EQ(a.y, b.y) << x << ',' << y;
         }
-        // A scan line goes on where the one above ended.
+        // A scan line's words follow those of the line above.
         NoiseSource above(dither, spec, 511, 7), below(dither, spec, 0, 8);
         (void)above.next();
         EXPECT_EQ(above.next().x, below.next().x);

@@ -35,7 +35,7 @@ inline MachineSpec random_spec(Random& random) {
     return m;
 }
 
-// A word of `bits` bits, every fourth one the least or the greatest there is.
+// A word of `bits` bits; every fourth one is the minimum or the maximum.
 inline std::int32_t random_word(Random& random, int bits) {
     const std::int64_t min = -(std::int64_t{1} << (bits - 1));
     switch (random.bits() % 8) {

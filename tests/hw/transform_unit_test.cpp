@@ -166,7 +166,7 @@ TEST(TransformUnit, NamesWhatIsNoQuotient) {
     EXPECT_EQ(unit({100, 0, 0}).status, DivideStatus::divisor_not_positive) << "in the eye's plane";
     EXPECT_EQ(unit({100, 0, -1}).status, DivideStatus::divisor_not_positive) << "behind the eye";
     EXPECT_EQ(unit({512, 0, 1}).status, DivideStatus::overflow) << "512 px: twice the frame's edge";
-    EXPECT_EQ(unit({-512, 0, 1}).status, DivideStatus::ok) << "-512 px is the least word";
+    EXPECT_EQ(unit({-512, 0, 1}).status, DivideStatus::ok) << "-512 px is the smallest word";
     EXPECT_EQ(unit({-512, 0, 1}).x, -512 * 128);
     EXPECT_EQ(unit({300, 0, 128}).x, 300) << "300/128 px over w = 1";
 }

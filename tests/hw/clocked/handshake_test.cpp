@@ -112,7 +112,7 @@ TEST(Chain, EqualsTheSlowModel) {
             if (slow.ready() && random.between(1, 4) <= feeds) {
                 chain->enter(static_cast<std::int8_t>(slot));
                 slow.enter(slot);
-                slot = (slot + 1) % max_stages;
+                slot = (slot + 1) % (max_stages + 1);
             }
             std::uint64_t held = 0;
             for (int k = 0; k < n; ++k)

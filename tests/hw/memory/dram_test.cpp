@@ -1,4 +1,5 @@
-// The memory in time: closed forms where there are any, else a model of single nanoseconds.
+// The memory's times against closed forms where there are any, else against a model that counts
+// single nanoseconds.
 #include "hw/memory/dram.hpp"
 
 #include "tests/fixed/boundary.hpp"
@@ -111,7 +112,7 @@ TEST(Dram, ARefreshWaitsForWhatHasBegunAndThenGoesFirst) {
     s.read(0, 0);  // until 15725, over the refresh's time
     EXPECT_EQ(s.now, first_refresh_ns + 100);
     EXPECT_EQ(s.dram.counts().refresh_waits, 0u);
-    s.read(0, 0);  // behind it: the row closed, a cycle, and the row opened again
+    s.read(0, 0);  // after it: the row closed, a cycle, and the row opened again
     EXPECT_EQ(s.now, first_refresh_ns + 100 + 175 + 375 + 200);
     EXPECT_EQ(s.dram.counts().refresh_wait_ns, 175u + 375);
     EXPECT_EQ(s.dram.counts().refresh_waits, 1u);
@@ -169,14 +170,14 @@ TEST(Dram, VideoRefreshesWhereItVisitsEveryRow) {
     }
 }
 
-// A scan of the whole frame by words: a miss at each page, and one behind each refresh.
+// A scan of the whole frame by words: a miss at each page, and one after each refresh.
 TEST(Dram, ASequentialScanMissesOncePerPageAndOncePerStolenCycle) {
     Store s;
     for (int y = 0; y < 512; ++y)
         for (int x = 0; x < 512; x += 16) s.read(x, y);
     const DramCounts& c = s.dram.counts();
     EXPECT_EQ(c.accesses, 512u * 32);
-    // Nothing else closes a row but its time: 43 hits at most behind every miss.
+    // Only its time closes a row: at most 43 hits after every miss.
     EXPECT_GE(c.row_misses, 128 + 512u * 32 / 44 - 128);
     EXPECT_LE(c.row_misses, 128 + c.refresh_cycles + 512u * 32 / 44);
     EXPECT_EQ(c.busy_ns, 135 * c.page_hits + 200 * c.row_misses + 175 * c.row_changes);

@@ -1,7 +1,8 @@
 // An independent model of the memory: one nanosecond after the other, and nothing else.
 //
-// In each nanosecond what is due is looked at: read-out and refresh in the order they fell due, and
-// only if neither is, the request. Nothing is computed ahead, and waits are counted one by one.
+// In each nanosecond the model serves what is due: read-out and refresh in the order in which they
+// fell due, and the request only if neither is. Nothing is computed ahead; waits are counted one by
+// one.
 #pragma once
 
 #include "hw/memory/dram.hpp"
