@@ -14,8 +14,8 @@
 //
 // The chain carries slot numbers only. Its user keeps what a token holds, and is called with
 // work(stage, cycle of the stay, slot).
-// In: at most 63 stages of 1 cycle or more (else a broken precondition), and slots 0..63: a token in
-// each stage and one that waits to enter.
+// In: at most 63 stages of 1 cycle or more (else a broken precondition), and slots 0..63: a token
+// in each stage and one that waits to enter.
 #pragma once
 
 #include "fixed/trap.hpp"
@@ -30,8 +30,8 @@ namespace umbra78::hw {
 inline constexpr int max_stages = 63;
 using StageMask = std::uint64_t;  // a bit a stage; bit 63 is for what feeds the chain
 
-// The stages without tokens and counters: 1.5 KB, where a chain has 36 KB. It is enough to ask which
-// stages a machine has; a unit adds its stages to either.
+// The stages without tokens and counters: 1.5 KB, where a chain has 36 KB. It is enough to ask
+// which stages a machine has; a unit adds its stages to either.
 class StageList {
 public:
     // Adds a stage; returns its number.
