@@ -1,15 +1,16 @@
 // A block: a part of a patch, held as Catmull's subdivision holds it.
 //
-// A corner keeps, for each component, its value f and three correction terms: gu, gv, guv, where
-// on a curve f(t) = a t^3 + b t^2 + c t + d the correction is g = (3 a t + b) / 4, an eighth of
-// the second derivative. Halving the curve (Catmull 1974, pp. 15, 22, 27, with the first division
-// by four done beforehand):
+// A block keeps, for each component (X, Y, Z, ...) and at each corner, a value f and three
+// corrections gu, gv, guv. On a curve f(t) = a t^3 + b t^2 + c t + d the correction is
+// g = (3 a t + b) / 4, an eighth of the second derivative. The curve is halved by (Catmull 1974,
+// pp. 15, 22, 27, with the first division by four done beforehand):
 //
 //   f_mid = (f0 + f1 - g0 - g1) / 2      g_mid = (g0 + g1) / 8      g0, g1 <- g0 / 4, g1 / 4
 //
 // Every division rounds half up: adds and shifts, no multiply. On [0, 1] the correction bounds
 // the curve: |f(t) - chord| <= max |g| and |f'(t)| <= |f1 - f0| + 4 max |g|.
-// A corner's index is 2 v + u. Values are 64-bit words in any unit.
+// A corner's index is 2 v + u. Values are 64-bit words in any unit: with control words of at most
+// 2^63 / max_growth nothing overflows.
 #pragma once
 
 #include "fixed/rounding.hpp"
@@ -30,8 +31,13 @@ struct Component {
     std::array<std::int64_t, 4> f{}, gu{}, gv{}, guv{};
 };
 
+// The greatest that anything in this file becomes, in units of the greatest control word: nine
+// second differences (4) of second differences (4).
+inline constexpr std::int64_t max_growth = 9 * 4 * 4;
+
 // The corners and corrections of a bicubic Bezier patch; control[4 j + i], i along u. With
-// second differences D0 = P0 - 2 P1 + P2 and D1 = P1 - 2 P2 + P3 the correction is 3/4 D.
+// second differences D0 = P0 - 2 P1 + P2 and D1 = P1 - 2 P2 + P3 the correction is 3/4 D, and the
+// mixed one 9/16 of both directions' D.
 constexpr Component component_from_bezier(const std::array<std::int64_t, 16>& p) {
     const auto value = [&](int end, int i0, int stride) {
         return p[static_cast<std::size_t>(i0 + 3 * end * stride)];
@@ -55,7 +61,7 @@ constexpr Component component_from_bezier(const std::array<std::int64_t, 16>& p)
     return c;
 }
 
-// One direction's halving, for a value that carries the correction g.
+// The halves of one curve with ends f0, f1 and corrections g0, g1.
 struct Halves {
     std::int64_t f_mid, g_mid, g0, g1;
 };
@@ -63,11 +69,10 @@ constexpr Halves halve(std::int64_t f0, std::int64_t f1, std::int64_t g0, std::i
     return {half_up(f0 + f1 - g0 - g1, 1), half_up(g0 + g1, 3), half_up(g0, 2), half_up(g1, 2)};
 }
 
-// Splits along one direction: `f`, `g` name the pair along it, `s`, `sg` the other correction and
-// the mixed one. Corners a and b are the two ends, for both values of the other parameter.
 namespace detail {
 using Field = std::array<std::int64_t, 4> Component::*;
 
+// Halves the edge between corners a and b for one value and its correction along that edge.
 constexpr void split_pair(const Component& c, Component& low, Component& high, Field f, Field g,
                           std::size_t a, std::size_t b) {
     const Halves h = halve((c.*f)[a], (c.*f)[b], (c.*g)[a], (c.*g)[b]);
@@ -80,6 +85,7 @@ constexpr void split_pair(const Component& c, Component& low, Component& high, F
 }
 }  // namespace detail
 
+// A split in u halves (f, gu) and (gv, guv) on both edges v = 0 and v = 1; one in v likewise.
 constexpr void split_u(const Component& c, Component& low, Component& high) {
     for (std::size_t a : {std::size_t{0}, std::size_t{2}}) {
         detail::split_pair(c, low, high, &Component::f, &Component::gu, a, a + 1);
@@ -100,11 +106,12 @@ constexpr std::int64_t max_magnitude(const std::array<std::int64_t, 4>& a) {
     return m;
 }
 
-// What a component can do over the whole block; all bounds hold for the exact surface.
+// Bounds of a component over the whole block. They hold for the exact surface that the corners and
+// corrections define; corners that are computed by halving differ from it by their rounding.
 struct Bounds {
-    std::int64_t min, max;  // of the value
-    std::int64_t slope_u, slope_v; // of |df/du|, |df/dv|
-    std::int64_t bend_u, bend_v;   // of |gu|, |gv| (mixed term included)
+    std::int64_t min, max;          // of f
+    std::int64_t slope_u, slope_v;  // of |df/du|, |df/dv|
+    std::int64_t bend_u, bend_v;    // of |gu|, |gv| anywhere in the block
 };
 
 constexpr Bounds bounds(const Component& c) {

@@ -1,10 +1,13 @@
 // The block rule: whether a block is left out, split once more, or drawn as 16 x 16 leaves.
 //
+// In: bounds of a block's X, Y and Z in raster units. Out: a BlockAction.
 // Raster units: X and Y 2^-13 pixel (7 fraction bits and 6 guard bits), Z 2^-guard quantum. A
-// block is drawn when no leaf of it can be larger than a pixel in X or Y, its corrections
-// included, so a leaf's centre lies within half a pixel of every point it covers and no pixel is
-// missed; and when no leaf bends away from its corners by more than 32 units, so the edges of
-// neighbours of different depth lie within the slack that sampling.hpp allows.
+// block is drawn when two conditions hold:
+//   - No leaf of it is larger than a pixel in X or Y, its corrections included. Then a leaf's
+//     centre lies within half a pixel of every point that the leaf covers, so no pixel is missed.
+//   - No leaf bends away from its corners by more than 32 units. Then the edges of neighbours that
+//     were split to different depths lie within the slack that sampling.hpp allows.
+// The rule is that of hw/MACHINE.md, section 6; its bounds in perspective are projection.hpp's.
 #pragma once
 
 #include "hw/transform_unit.hpp"
@@ -18,11 +21,12 @@ namespace umbra78::raster {
 inline constexpr int raster_fraction = 13;
 inline constexpr std::int64_t pixel_units = std::int64_t{1} << raster_fraction;
 
-// 15.5 pixels a block, so 0.97 a leaf: what is left of the pixel holds the corrections.
+// A block's slopes in u and v together: 15.5 pixels, so 0.97 a leaf. The rest of the pixel is for
+// the rounding of the leaves' corners.
 inline constexpr std::int64_t max_slope = 31 * pixel_units / 2;
 // 32 units a leaf; a block's correction is 4^4 times its leaf's.
 inline constexpr std::int64_t max_bend = 32 << 8;
-// Bounds past this are "too large": far outside what the 32-bit corners hold.
+// A block with bounds past this is split: its 32-bit corners and their halving need the rest.
 inline constexpr std::int64_t unbounded = std::int64_t{1} << 29;
 
 // Guard bits of Z; fewer where a wide Z would not fit 32-bit corners.
@@ -32,10 +36,10 @@ constexpr int depth_guard(const hw::MachineSpec& spec) {
 
 using ScreenBounds = std::array<Bounds, 3>;  // x, y, z in raster units
 
-// A slope or bend of a quotient that says no more than "very large" (projection.hpp).
+// The slope or bend of a quotient whose bound is too large to compute (projection.hpp).
 inline constexpr std::int64_t huge_bound = std::int64_t{1} << 58;
 
-// Whether it does so in both directions: then the greater of the two tells nothing, and splitting
+// Whether that is so in both directions. Then it is not known which is the greater, and splitting
 // by it could go 24 times one way, into 2^24 slivers, before it went the other way once.
 constexpr bool unbounded_both_ways(const ScreenBounds& b) {
     bool u = false, v = false;
@@ -46,6 +50,7 @@ constexpr bool unbounded_both_ways(const ScreenBounds& b) {
     return u && v;
 }
 
+// outside: the block is not in the cube, nor within 1/64 pixel (X, Y) or a quantum (Z) of it.
 enum class BlockAction : std::uint8_t { outside, split_u, split_v, draw };
 
 constexpr BlockAction block_action(const ScreenBounds& b, const hw::MachineSpec& spec) {
@@ -53,8 +58,8 @@ constexpr BlockAction block_action(const ScreenBounds& b, const hw::MachineSpec&
     const std::int64_t deep = (spec.depth_offset() + 1) << depth_guard(spec);
     const std::array<std::int64_t, 3> limit{edge, edge, deep};
     bool small = true;
-    // The greater of slope and scaled bend, 16 px = 2^17. Unsigned: a bend in perspective may reach
-    // 3 2^58, and 16 times that still fits.
+    // What is split is the direction with the greatest slope or scaled bend: 16 times the greatest
+    // bend allowed is 2^17, 16 pixels. Unsigned, because a bend in perspective may reach 3 2^58.
     std::uint64_t in_u = 0, in_v = 0;
     const auto word = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
     for (std::size_t k = 0; k < 3; ++k) {

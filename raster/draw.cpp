@@ -9,8 +9,10 @@ namespace {
 
 using fixed::Rounding;
 
-// The greatest raster word is 2^55: its corrections and their bounds are up to 144 times that.
+// A control point's raster word is at most 2^55: what block.hpp makes of it then fits 64 bits.
 constexpr int raster_bits = 55;
+static_assert(max_growth <= INT64_MAX >> raster_bits);
+static_assert(max_growth > INT64_MAX >> (raster_bits + 1), "no view is refused without need");
 
 template <std::size_t N>
 std::array<Component, N> first(const std::array<Component, 4>& c) {
@@ -19,51 +21,14 @@ std::array<Component, N> first(const std::array<Component, 4>& c) {
     return out;
 }
 
-Vector object_place(const View& view, WordFormat object, bool eye) {
-    const std::array<std::int32_t, 3> t{view.target.x, view.target.y, view.target.z};
-    Vector out{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        std::int64_t q16 = t[k];
-        if (eye)
-            q16 += fixed::round_shift(std::int64_t{view.distance} * view.axes.back[k], 30,
-                                      Rounding::half_up);
-        out[k] = fixed::scale_shift(q16, world_fraction - object.fraction - object_guard,
-                                    Rounding::half_up);
-    }
-    return out;
-}
-
-Toward toward_eye(const View& view, WordFormat object) {
-    Toward t;
-    t.to_point = view.projection == Projection::perspective;
-    for (std::size_t k = 0; k < 3; ++k)
-        t.direction[k] = static_cast<std::int32_t>(
-            fixed::round_shift(view.axes.back[k], 30 - unit_fraction, Rounding::half_up));
-    if (t.to_point) t.point = object_place(view, object, true);
-    return t;
-}
-
 }  // namespace
-
-hw::WordFormat object_words(std::span<const Patch> patches) {
-    std::uint32_t largest = 0;
-    for (const Patch& p : patches)
-        for (const World& c : p.control)
-            for (const std::int32_t v : {c.x, c.y, c.z})
-                largest = std::max(largest, static_cast<std::uint32_t>(fixed::magnitude(v)));
-    int fraction = object_bits - 2;
-    while (fraction > 0 && !fixed::fits(fixed::round_shift(largest, world_fraction - fraction,
-                                                           Rounding::half_up),
-                                        object_bits))
-        --fraction;
-    return {object_bits, fraction};
-}
 
 hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
                          MatrixWords& out) {
     const hw::LoadStatus status =
         hw::load_matrix(world_to_screen(view, spec), spec, object, out);
     if (status != hw::LoadStatus::ok || !out.affine) return status;
+    // |accumulator| <= 2^(object.bits + coefficient_bits), and the row's shift makes it a word.
     for (const hw::Row row : {hw::Row::x, hw::Row::y, hw::Row::z}) {
         const int fraction = row == hw::Row::z ? spec.depth_fraction() + depth_guard(spec)
                                                : raster_fraction;
@@ -73,9 +38,6 @@ hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat o
     }
     return status;
 }
-
-Toward toward_viewer(const View& view, WordFormat object) { return toward_eye(view, object); }
-Toward toward_light(const View& light, WordFormat object) { return toward_eye(light, object); }
 
 namespace detail {
 
@@ -127,15 +89,15 @@ BlockAction BlockWalk::action(const StackBlock& b, ScreenBounds& bounds) const {
         return b.level_u <= b.level_v ? BlockAction::split_u : BlockAction::split_v;
     };
     switch (projected_bounds(b.screen, setup_.spec, bounds)) {
-        case Sight::outside: return BlockAction::outside;
-        case Sight::both: return either();
-        case Sight::before: break;
+        case Visibility::outside: return BlockAction::outside;
+        case Visibility::unknown: return either();
+        case Visibility::bounded: break;
     }
-    const BlockAction f = block_action(bounds, setup_.spec);
-    return f == BlockAction::split_u && unbounded_both_ways(bounds) ? either() : f;
+    const BlockAction by_rule = block_action(bounds, setup_.spec);
+    return by_rule == BlockAction::split_u && unbounded_both_ways(bounds) ? either() : by_rule;
 }
 
-// Splits the popped block in place: its low half stays, its high half goes above it.
+// Splits the popped block in place: its lower half stays, its upper half goes above it.
 void BlockWalk::split(bool along_u) {
     StackBlock& low = memory_.stack[depth_];
     StackBlock& high = memory_.stack[depth_ + 1];
@@ -156,9 +118,9 @@ bool BlockWalk::next(ScreenBounds& bounds) {
     while (depth_ > 0) {
         const StackBlock& b = memory_.stack[--depth_];
         ++counts_.tested_blocks;
-        const BlockAction f = action(b, bounds);
-        if (f == BlockAction::draw) return true;
-        if (f == BlockAction::outside) continue;
+        const BlockAction decided = action(b, bounds);
+        if (decided == BlockAction::draw) return true;
+        if (decided == BlockAction::outside) continue;
         const bool can_u = b.level_u < deepest_level, can_v = b.level_v < deepest_level;
         if ((!can_u && !can_v) || splits_ == max_splits) {
             ++counts_.unresolved;
@@ -166,7 +128,7 @@ bool BlockWalk::next(ScreenBounds& bounds) {
         }
         ++splits_;
         ++counts_.splits;
-        split(f == BlockAction::split_u ? can_u : !can_v);
+        split(decided == BlockAction::split_u ? can_u : !can_v);
     }
     return false;
 }
@@ -180,27 +142,15 @@ bool BlockWalk::make_corners() {
     return divide_corners(memory_.homogeneous, setup_.spec, memory_.corners);
 }
 
-PixelWindow pixel_window(const ScreenBounds& b, const MachineSpec& spec) {
-    const auto pixel = [&](std::int64_t v) {
-        const std::int64_t p = fixed::floor_shift(v, raster_fraction) + spec.half_px();
-        return static_cast<int>(std::clamp<std::int64_t>(p, 0, spec.size_px() - 1));
-    };
-    return {pixel(b[0].min - slack), pixel(b[1].min - slack), pixel(b[0].max + slack),
-            pixel(b[1].max + slack)};
-}
-
 }  // namespace detail
 
 void order_front_to_back(std::span<const Patch> patches, const View& view,
                          std::span<std::uint32_t> order, std::span<std::int64_t> nearest) {
-    const Axis& back = view.axes.back;
     for (std::size_t k = 0; k < patches.size(); ++k) {
         order[k] = static_cast<std::uint32_t>(k);
         nearest[k] = INT64_MIN;
         for (const World& p : patches[k].control)
-            nearest[k] = std::max(nearest[k], std::int64_t{back[0]} * p.x +
-                                                  std::int64_t{back[1]} * p.y +
-                                                  std::int64_t{back[2]} * p.z);
+            nearest[k] = std::max(nearest[k], nearness(view.axes, p));
     }
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return nearest[a] != nearest[b] ? nearest[a] > nearest[b] : a < b;

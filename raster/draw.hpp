@@ -3,15 +3,14 @@
 //   control points --transform unit--> components of a block --split by block_action-->
 //   17 x 17 corners --sampling--> samples with their Z code, handed to a sink
 //
-// What the caller wants done with a sample is a Sink:
-//   static constexpr bool shades;                        does it ask for levels?
-//   bool hidden(x0, y0, x1, y1, code);                   everything there nearer than code?
-//   void sample(const Sample&, code, const BlockShading*);
-// A block whose nearest point is hidden in its whole window cannot change the frame and is left
+// In: patches in world words, a view's loaded matrix, materials and light. Out: calls of the sink,
+// and counts. A block that a frame's bounds cannot decide is dropped and counted as `unresolved`.
+// A block whose nearest point is hidden in its whole footprint cannot change the frame and is left
 // out. No allocation: the caller hands in one DrawMemory.
+// Not emulated: the clock (drawing_cost.hpp makes operations of the counts).
 #pragma once
 
-#include "hw/frame_store.hpp"
+#include "raster/footprint.hpp"
 #include "raster/leaf_centres.hpp"
 #include "raster/projection.hpp"
 #include "raster/sampling.hpp"
@@ -19,30 +18,35 @@
 #include "raster/view.hpp"
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace umbra78::raster {
 
-// Object words: 16 bits, the largest fraction (at most 14, so that one_word is at least 1.0) that
-// holds every control point of the scene.
-inline constexpr int object_bits = 16;
-inline constexpr int object_guard = 6;  // further fraction bits of the shading's place words
-hw::WordFormat object_words(std::span<const Patch> patches);
+// What is done with samples.
+//   shades        a constant: whether sample() is given the block's shading, or nullptr
+//   hidden(f)     whether every sample with this footprint would change nothing
+//   sample(...)   one sample, its Z code and its block's shading
+template <class T>
+concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
+                        const Sample& sample, std::uint32_t code, const BlockShading* shading) {
+    typename std::bool_constant<T::shades>;
+    { unchanged.hidden(footprint) } -> std::same_as<bool>;
+    { sink.sample(sample, code, shading) } -> std::same_as<void>;
+};
 
-// Rounds the view's exact matrix to the unit's words.
+// Rounds the view's exact matrix to the unit's words. An affine matrix is refused, too, where a
+// raster word could be so large that its corrections and bounds would not fit 64 bits.
 hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
                          MatrixWords& out);
-
-// What shading needs of a view and a light.
-Toward toward_viewer(const View& view, WordFormat object);
-Toward toward_light(const View& light, WordFormat object);
 
 struct DrawCounts {
     std::uint64_t patches = 0, blocks = 0;
     std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
     std::uint64_t hidden_blocks = 0;  // left out behind what was drawn before
-    std::uint64_t unresolved = 0;     // dropped at the last level or split
+    std::uint64_t unresolved = 0;     // dropped: no level or split left, or no quotient
     std::uint64_t tested_blocks = 0;  // whose action was decided
     std::uint64_t splits = 0;
     std::uint64_t tested_centres = 0;  // pixel centres in a leaf's window
@@ -53,14 +57,14 @@ struct DrawSetup {
     MatrixWords matrix;  // object words to screen
     WordFormat object;
     Sampling sampling = Sampling::centre;
-    std::span<const Material> materials;
-    ShadingSpec shading;
-    hw::UnitWork work{};  // of what an affine matrix makes constant
+    std::span<const Material> materials;  // at least as many as the patches name
+    ShadingSpec shading;                  // read only by a sink that shades
+    hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point
 };
 
 inline constexpr int deepest_level = 24;  // halvings in each direction
-// Splits a patch may take, so that every frame ends: figures need some hundreds. What would need
-// more (a patch through a light's eye, magnified a thousandfold) is dropped and counted.
+// Splits a patch may take, so that every frame ends: the figures need some hundreds. A patch that
+// needs more (one through a light's eye, magnified a thousandfold) loses what is left of it.
 inline constexpr std::uint32_t max_splits = 1u << 20;
 
 struct StackBlock {
@@ -69,6 +73,8 @@ struct StackBlock {
     int level_u, level_v;
 };
 
+// A split takes one block from the stack and puts two back, so the stack grows by one a level; the
+// popped block and its second half need a place each.
 struct DrawMemory {
     std::array<StackBlock, 2 * deepest_level + 2> stack;
     Corners corners;
@@ -107,19 +113,15 @@ private:
     std::uint32_t splits_ = 0;  // of the patch
 };
 
-struct PixelWindow {
-    int x0, y0, x1, y1;  // inclusive
-};
-PixelWindow pixel_window(const ScreenBounds& b, const MachineSpec& spec);
-
 }  // namespace detail
 
-template <class Sink>
+// Draws patches[order[0]], patches[order[1]], ..., or all in turn if `order` is empty. The sink
+// sees every sample of every block that is not hidden.
+template <Sink SampleSink>
 DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> order,
-                const DrawSetup& setup, DrawMemory& memory, Sink& sink) {
+                const DrawSetup& setup, DrawMemory& memory, SampleSink& sink) {
     DrawCounts counts;
-    detail::BlockWalk walk(setup, memory, Sink::shades, counts);
-    const std::int64_t one_quantum = std::int64_t{1} << depth_guard(setup.spec);
+    detail::BlockWalk walk(setup, memory, SampleSink::shades, counts);
     const auto emit = [&](const Sample& s, const BlockShading* shading) {
         std::uint32_t code = 0;
         if (!depth_code(s.z, setup.spec, code)) return;
@@ -129,7 +131,7 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
     const auto sample = [&](const BlockShading* shading) {
         const auto each = [&](const Sample& s) { emit(s, shading); };
         if (setup.sampling == Sampling::centre) {
-            counts.tested_centres += sample_lone_centres(memory.corners, setup.spec, each);
+            counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
         } else {
             sample_leaves(memory.corners, setup.spec, each);
         }
@@ -140,11 +142,7 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
         walk.push_patch(patch);
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            const detail::PixelWindow w = detail::pixel_window(bounds, setup.spec);
-            std::uint32_t nearest = 0;
-            // A quantum nearer than the bound, for what rounding may do to the corners.
-            if (depth_code(bounds[2].min - one_quantum, setup.spec, nearest) &&
-                sink.hidden(w.x0, w.y0, w.x1, w.y1, nearest)) {
+            if (sink.hidden(footprint(bounds, setup.spec))) {
                 ++counts.hidden_blocks;
                 continue;
             }
@@ -153,7 +151,7 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
                 continue;
             }
             ++counts.blocks;
-            if constexpr (Sink::shades) {
+            if constexpr (SampleSink::shades) {
                 const BlockShading shading(walk.block().world, setup.shading,
                                            setup.materials[patch.material]);
                 sample(&shading);
@@ -165,7 +163,8 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
     return counts;
 }
 
-// Patches by the depth of their nearest control point: order changes time, never a bit.
+// Patches by the depth of their nearest control point, nearest first; equal ones by their index.
+// The order changes time, never a bit. `order` and `scratch` have a word for each patch.
 void order_front_to_back(std::span<const Patch> patches, const View& view,
                          std::span<std::uint32_t> order, std::span<std::int64_t> scratch);
 

@@ -1,4 +1,4 @@
-// What drawing a view costs, in operations: counts of a drawing times what each thing takes.
+// What drawing a view costs, in operations: the counts of a drawing times what each thing costs.
 //
 // The constants count the additions, products and quotients in the formulas of hw/MACHINE.md,
 // sections 6, 7, 9 and 14, component by component; the table there (section 16) is this one.
@@ -17,12 +17,12 @@ using hw::Operations;
 
 // Additions a component.
 inline constexpr std::uint64_t corners_from_control = 60;  // 4 x (gu 3, gv 3, guv 9)
-inline constexpr std::uint64_t bounds_and_fate = 43;
+inline constexpr std::uint64_t bounds_and_action = 43;
 inline constexpr std::uint64_t split = 16;  // 2 ends x 2 pairs x 4
 // 15 midpoints on 2 edges of 2 pairs, then on 17 columns of one pair, 4 additions each.
 inline constexpr std::uint64_t leaf_corners = 15 * 2 * 2 * 4 + 15 * 17 * 4;
 
-inline constexpr Operations leaf_window{16};           // least, greatest, slack, of X and Y
+inline constexpr Operations leaf_window{16};           // min, max, slack, of X and Y
 inline constexpr Operations leaf_mean{12};             // three means of four, rounded
 inline constexpr Operations tested_centre{60, 16, 16};  // two triangles: an area, three edges each
 // Z of the plane (two products of 32 x 16 bits, a quotient of 22), the code; read, compare, write.
@@ -39,7 +39,7 @@ inline constexpr std::uint64_t divided_corner_bits = 31;  // X, Y and Z of each 
 
 }  // namespace cost
 
-// `counts` of a drawing in which nothing was left out as hidden.
+// The operations of a drawing with these counts, in which nothing was left out as hidden.
 inline hw::Operations drawing_operations(const DrawCounts& counts, const MachineSpec& spec,
                                          bool affine, Sampling sampling, bool shades,
                                          int shininess) {
@@ -53,7 +53,7 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
                  .passes = 16 * counts.patches * transform};
     o.adds += components * (counts.patches * cost::corners_from_control +
                             counts.splits * cost::split);
-    o.adds += screen * (counts.tested_blocks * cost::bounds_and_fate +
+    o.adds += screen * (counts.tested_blocks * cost::bounds_and_action +
                         counts.blocks * cost::leaf_corners);
     if (!affine) {
         const std::uint64_t quotients = 3 * corners_a_block * counts.blocks;

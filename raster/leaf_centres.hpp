@@ -1,5 +1,5 @@
-// Centre sampling of blocks whose leaves hold one pixel's centre or none, as those that the block
-// rule draws do: what sample_centres gives, in the same order.
+// Centre sampling of blocks whose leaves hold one pixel's centre or none. The blocks that the block
+// rule draws are such blocks. It gives the samples of sample_centres in the same order, faster.
 //
 //   find    the leaves whose box, grown by the slack, holds a centre: 16 at once, a row, in 16-bit
 //           lanes that the compiler makes vectors of
@@ -8,7 +8,7 @@
 //           outside the grown edges none; one in the slack is left to triangle_depth.
 //
 // A block with a leaf that holds several centres, or with a corner 2^14 pixels from the frame's
-// centre, is left to sample_centres. Tests hold the two equal, sample by sample.
+// centre, is left to sample_centres. Tests compare the two sample by sample.
 #pragma once
 
 #include "raster/sampling.hpp"
@@ -25,14 +25,15 @@ namespace detail {
 template <std::size_t Size>
 using PixelWords = std::array<std::int16_t, Size>;
 
-// The pixels of the leaves in `lone` (bit u), by rows.
-struct LoneCentres {
+// By rows of leaves: bit u of `holds_one` is set if leaf u holds one centre, px[u], py[u].
+struct LeafCentres {
     std::array<PixelWords<leaves>, leaves> px, py;
-    std::array<std::uint16_t, leaves> lone;
+    std::array<std::uint16_t, leaves> holds_one;
 };
 
-// Of one axis: the first pixel whose centre a corner's slack may reach, and the last. Pixels grow
-// with places, so a leaf's window is from the least to the greatest of its corners'.
+// Along one axis, for each corner: the first pixel whose centre lies within the slack of it or
+// right of that, and the last whose centre lies within it or left of that. Pixels increase with
+// places, so a leaf's window runs from the min of its corners' first to the max of their last.
 struct CornerWindows {
     std::array<PixelWords<corners>, corners> first, last;
 };
@@ -58,7 +59,7 @@ inline bool corner_windows(const CornerGrid<std::int32_t>& c, std::int32_t half_
 constexpr std::int16_t lesser(std::int16_t a, std::int16_t b) { return b < a ? b : a; }
 constexpr std::int16_t greater(std::int16_t a, std::int16_t b) { return a < b ? b : a; }
 
-// Bit k in lane k: where a condition holds in some lanes, their bits or'ed tell in which.
+// Bit k in lane k: the bits of the lanes in which a condition holds, or'ed, are one word.
 inline constexpr std::array<std::uint16_t, leaves> lane_bit{
     1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
     1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
@@ -66,9 +67,9 @@ constexpr std::uint16_t bit_if(bool holds, std::size_t lane) {
     return static_cast<std::uint16_t>((holds ? 0xffff : 0) & lane_bit[lane]);
 }
 
-// False if the block is sample_centres' to sample.
-inline bool find_lone_centres(const Corners& g, std::int32_t half_px,
-                              LoneCentres& __restrict found) {
+// False if the block is one for sample_centres.
+inline bool find_leaf_centres(const Corners& g, std::int32_t half_px,
+                              LeafCentres& __restrict found) {
     CornerWindows x, y;
     if (!corner_windows(g[0], half_px, x) || !corner_windows(g[1], half_px, y)) return false;
     const auto size_px = static_cast<std::uint16_t>(2 * half_px);
@@ -80,7 +81,7 @@ inline bool find_lone_centres(const Corners& g, std::int32_t half_px,
         const auto max = [v](const auto& c, std::size_t u) {
             return greater(greater(c[v][u], c[v][u + 1]), greater(c[v + 1][u], c[v + 1][u + 1]));
         };
-        std::uint16_t lone = 0;
+        std::uint16_t ones = 0;
         for (std::size_t u = 0; u < leaves; ++u) {  // & and |: no branches in lanes
             const std::int16_t x0 = min(x.first, u), x1 = max(x.last, u);
             const std::int16_t y0 = min(y.first, u), y1 = max(y.last, u);
@@ -90,15 +91,20 @@ inline bool find_lone_centres(const Corners& g, std::int32_t half_px,
             const bool more = (x0 <= x1) & (y0 <= y1) & ((x0 < x1) | (y0 < y1));
             found.px[v][u] = x0;
             found.py[v][u] = y0;
-            lone = static_cast<std::uint16_t>(lone | bit_if(one, u));
+            ones = static_cast<std::uint16_t>(ones | bit_if(one, u));
             several = static_cast<std::uint16_t>(several | bit_if(more, u));
         }
-        found.lone[v] = lone;
+        found.holds_one[v] = ones;
     }
     return several == 0;
 }
 
-// A leaf with a lone centre is less than two pixels wide: an offset fits 15 bits, a product 28.
+// A leaf that holds one centre is, with the slack, less than two pixels wide: offsets are below
+// 2^14, products 2^28, and sums of edge functions 2^31.
+inline constexpr std::int32_t max_offset = 2 << raster_fraction;
+static_assert(max_offset - slack <= max_triangle);
+static_assert(std::int64_t{6} * max_offset * max_offset <= INT32_MAX);
+
 struct Offset {
     std::int32_t x, y;
 };
@@ -108,7 +114,7 @@ constexpr std::int32_t grown(Offset edge) {
 }
 
 // triangle_depth of (a, b, c) at d, from the offsets of b, c and d to a.
-inline bool lone_depth(const Corner& a, const Corner& b, const Corner& c, Offset to_b, Offset to_c,
+inline bool leaf_depth(const Corner& a, const Corner& b, const Corner& c, Offset to_b, Offset to_c,
                        Offset to_d, std::int64_t& z) {
     const std::int32_t turned = cross(to_b, to_c);
     const std::int32_t sign = fixed::floor_shift(turned, 31);  // (v ^ sign) - sign is v or -v
@@ -129,16 +135,16 @@ inline bool lone_depth(const Corner& a, const Corner& b, const Corner& c, Offset
 
 }  // namespace detail
 
-// Returns how many centres were tested.
+// Hands every sample of the block to `emit`. Returns how many centres were tested.
 template <class Emit>
-std::uint64_t sample_lone_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
+std::uint64_t sample_leaf_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
     const std::int32_t half = spec.half_px();
-    detail::LoneCentres found;
-    if (!detail::find_lone_centres(g, half, found)) return sample_centres(g, spec, emit);
+    detail::LeafCentres found;
+    if (!detail::find_leaf_centres(g, half, found)) return sample_centres(g, spec, emit);
     std::uint64_t tested = 0;
     for (std::size_t v = 0; v < leaves; ++v) {
-        for (unsigned lone = found.lone[v]; lone != 0; lone &= lone - 1) {
-            const auto u = static_cast<std::size_t>(std::countr_zero(lone));
+        for (unsigned ones = found.holds_one[v]; ones != 0; ones &= ones - 1) {
+            const auto u = static_cast<std::size_t>(std::countr_zero(ones));
             const int i = static_cast<int>(u), j = static_cast<int>(v);
             const int px = found.px[v][u], py = found.py[v][u];
             const std::int32_t x = pixel_centre(px, half), y = pixel_centre(py, half);
@@ -150,8 +156,8 @@ std::uint64_t sample_lone_centres(const Corners& g, const hw::MachineSpec& spec,
             const detail::Offset p = from_00(c10.x, c10.y), q = from_00(c11.x, c11.y);
             const detail::Offset r = from_00(c01.x, c01.y), d = from_00(x, y);
             std::int64_t z = 0;
-            if (detail::lone_depth(c00, c10, c11, p, q, d, z)) emit(Sample{px, py, x, y, z, i, j});
-            if (detail::lone_depth(c00, c11, c01, q, r, d, z)) emit(Sample{px, py, x, y, z, i, j});
+            if (detail::leaf_depth(c00, c10, c11, p, q, d, z)) emit(Sample{px, py, x, y, z, i, j});
+            if (detail::leaf_depth(c00, c11, c01, q, r, d, z)) emit(Sample{px, py, x, y, z, i, j});
             ++tested;
         }
     }

@@ -1,5 +1,7 @@
 #include "raster/projection.hpp"
 
+#include "fixed/overflow.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -8,8 +10,15 @@ namespace {
 
 using fixed::Rounding;
 
-// 44 bits leave room for 9 times the value in guv, 4 096 times in X - c W, and the bounds' sums.
+// The whole pixel c that the bounds of a quotient are taken about lies within +-2^12.
+constexpr std::int64_t farthest_centre = 1 << 12;
+
+// X, Y, Z and W are signed words of 44 bits: X - c W and all that block.hpp makes of it fit 64.
 constexpr int homogeneous_bits = 44;
+static_assert(max_growth <= INT64_MAX >> (homogeneous_bits - 1));
+// X - c W is made of components, not of control points: their bounds grow by less.
+constexpr std::int64_t max_bounds_growth = 2 + 4 * 3 + 2 * 3 + 4 * 9;  // slope_u, the greatest
+static_assert(max_bounds_growth * (farthest_centre + 1) <= INT64_MAX >> (homogeneous_bits - 1));
 
 template <class Transform>
 Component component(const ObjectWords& p, Transform&& transform) {
@@ -19,7 +28,7 @@ Component component(const ObjectWords& p, Transform&& transform) {
 }
 
 // a - c b, corner by corner.
-Component less(const Component& a, std::int64_t c, const Component& b) {
+Component minus_multiple(const Component& a, std::int64_t c, const Component& b) {
     Component r;
     for (std::size_t k = 0; k < 4; ++k) {
         r.f[k] = a.f[k] - c * b.f[k];
@@ -30,32 +39,30 @@ Component less(const Component& a, std::int64_t c, const Component& b) {
     return r;
 }
 
-// v 2^n rounded up, or `huge` where that would leave 58 bits. v >= 0.
+// v 2^n rounded up, or `huge` where that would leave 58 bits. v >= 0, n from -2 to 22.
 constexpr std::int64_t huge = huge_bound;
 
-std::int64_t up(std::int64_t v, int n) {
+std::int64_t scaled_up(std::int64_t v, int n) {
     if (n < 0) return fixed::scale_shift(v, -n, Rounding::ceiling);
     return v >= fixed::floor_shift(huge, n) ? huge : v << n;
 }
 
-// The whole pixel that the bounds of a quotient are taken about.
-constexpr std::int64_t farthest_centre = 1 << 12;
-
+// Corner 0 of X / W, floored to a whole pixel. W > 0.
 std::int64_t whole_pixel(const Component& x, const Component& w) {
     return fixed::round_divide(x.f[0], w.f[0], Rounding::floor);
 }
 
-// Bounds of X / W in 2^-fraction pixel.
+// Bounds of X / W in 2^-fraction pixel; bw.min > 0.
 Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw, int fraction) {
-    // Bring W to 24 bits and its bounds to the same scale, rounded outward.
+    // W is brought to 24 bits and rounded down, what is divided by it to the same scale and up.
     const int down = std::max(0, static_cast<int>(std::bit_width(
                                      static_cast<std::uint64_t>(bw.min))) - 24);
     const std::int64_t w_min = fixed::floor_shift(bw.min, down);
     const auto scaled = [&](std::int64_t v) { return fixed::floor_shift(v, down) + 1; };
     const std::int64_t centre = std::clamp(whole_pixel(x, w), -farthest_centre, farthest_centre);
-    const Bounds b = bounds(less(x, centre, w));
+    const Bounds b = bounds(minus_multiple(x, centre, w));
     const auto over_w = [&](std::int64_t v) {  // v / W in the target's fraction, rounded up
-        return up(scaled(v), fraction) / w_min + 1;
+        return scaled_up(scaled(v), fraction) / w_min + 1;
     };
     const std::int64_t reach = over_w(std::max(-b.min, b.max));
     const auto times = [&](std::int64_t v) {  // reach v / W
@@ -82,9 +89,9 @@ Bounds quotient_bounds(const Component& x, const Component& w, const Bounds& bw,
     return out;
 }
 
-// Whether a block (W > 0) begins where no centre is near: about a clamped one its bounds hold the
-// frame however small it is. Near the eye nothing is small enough: split after split of a block a
-// thousand frames away cost a patch its whole allowance.
+// Whether corner 0 of a block (W > 0) is farther out than any centre. About a clamped centre its
+// bounds contain the frame however small the block is, so the block rule would split it until the
+// patch's splits were used up, though the block is a thousand frames away.
 bool far_out(const std::array<Component, 4>& c) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::int64_t at = whole_pixel(c[k], c[3]);
@@ -93,17 +100,31 @@ bool far_out(const std::array<Component, 4>& c) {
     return false;
 }
 
-// Whether all of a block, or all of it before the eye, lies beyond one side of the cube (grown by
-// a pixel): X - e W > 0 or X + e W < 0. It holds on both sides of the eye, where X / W does not.
+// Whether a block, or the part of it before the eye, lies beyond one side of the cube grown by a
+// pixel: X - e W > 0 or X + e W < 0. This holds for W of any sign, unlike a bound of X / W.
 bool beyond_a_side(const std::array<Component, 4>& c, std::int64_t edge_px) {
     for (std::size_t k = 0; k < 3; ++k) {
-        if (bounds(less(c[k], edge_px, c[3])).min > 0) return true;
-        if (bounds(less(c[k], -edge_px, c[3])).max < 0) return true;
+        if (bounds(minus_multiple(c[k], edge_px, c[3])).min > 0) return true;
+        if (bounds(minus_multiple(c[k], -edge_px, c[3])).max < 0) return true;
     }
     return false;
 }
 
 }  // namespace
+
+WordFormat object_format(std::span<const Patch> patches) {
+    std::uint32_t largest = 0;
+    for (const Patch& p : patches)
+        for (const World& c : p.control)
+            for (const std::int32_t v : {c.x, c.y, c.z})
+                largest = std::max(largest, static_cast<std::uint32_t>(fixed::magnitude(v)));
+    int fraction = object_bits - 2;
+    while (fraction > 0 && !fixed::fits(fixed::round_shift(largest, world_fraction - fraction,
+                                                           Rounding::half_up),
+                                        object_bits))
+        --fraction;
+    return {object_bits, fraction};
+}
 
 ObjectWords to_object_words(const Patch& patch, WordFormat format) {
     ObjectWords out{};
@@ -132,11 +153,11 @@ std::array<Component, 3> affine_components(const ObjectWords& p, const MatrixWor
 
 std::array<Component, 4> homogeneous_components(const ObjectWords& p, const MatrixWords& m,
                                                 const MachineSpec& spec, WordFormat format) {
-    const int max = *std::max_element(m.exponent.begin(), m.exponent.end());
+    const int common = *std::max_element(m.exponent.begin(), m.exponent.end());
     const int accumulator_bits = format.bits + spec.coefficient_bits + 2;
     const int up = homogeneous_bits - accumulator_bits;
     const auto row = [&](hw::Row r) {
-        const int shift = max - m.exponent[static_cast<std::size_t>(r)] - up;
+        const int shift = common - m.exponent[static_cast<std::size_t>(r)] - up;
         return component(p, [&](const hw::Words& v) {
             return fixed::scale_shift(hw::accumulate(m, r, v, format.one_word()), shift,
                                       spec.transform_rounding);
@@ -149,17 +170,17 @@ ScreenBounds affine_bounds(const std::array<Component, 3>& c) {
     return {bounds(c[0]), bounds(c[1]), bounds(c[2])};
 }
 
-Sight projected_bounds(const std::array<Component, 4>& c, const MachineSpec& spec,
-                       ScreenBounds& out) {
+Visibility projected_bounds(const std::array<Component, 4>& c, const MachineSpec& spec,
+                            ScreenBounds& out) {
     const Bounds w = bounds(c[3]);
-    if (w.max <= 0) return Sight::outside;
+    if (w.max <= 0) return Visibility::outside;
     const bool crosses = w.min <= 0;
-    if ((crosses || far_out(c)) && beyond_a_side(c, spec.half_px() + 1)) return Sight::outside;
-    if (crosses) return Sight::both;
+    if ((crosses || far_out(c)) && beyond_a_side(c, spec.half_px() + 1)) return Visibility::outside;
+    if (crosses) return Visibility::unknown;
     out = {quotient_bounds(c[0], c[3], w, raster_fraction),
            quotient_bounds(c[1], c[3], w, raster_fraction),
            quotient_bounds(c[2], c[3], w, spec.depth_fraction() + depth_guard(spec))};
-    return Sight::before;
+    return Visibility::bounded;
 }
 
 }  // namespace umbra78::raster

@@ -1,4 +1,7 @@
-// Sampling: a block's 17 x 17 corners to samples of pixels.
+// Sampling: a block's 17 x 17 corners to samples of pixels (hw/MACHINE.md, section 7).
+//
+// In: corners in raster units, int32; no triangle wider than max_triangle. Out: samples, Z in
+// raster units; depth_code makes a Z code of it.
 //
 // leaf    The leaf's centre, the mean of its four corners, falls in one pixel. Catmull's own.
 // centre  A leaf is the triangles (00, 10, 11) and (00, 11, 01). A pixel whose centre p lies in
@@ -6,11 +9,10 @@
 //
 //           z = az + round((w_b (bz - az) + w_c (cz - az)) / |A|),  clamped to the corners' range
 //
-//         with the edge functions w and the doubled area A. A quotient by a serial divider is
-//         shifts and subtractions, like the rest. "In" allows a slack of 1/64 pixel: p is inside
-//         the triangle's box and on the inner side of each edge, both grown by the slack
-//         (w >= -slack (|dx| + |dy|)). So neighbours that were split to different depths leave no
-//         crack; pixels covered twice do no harm, since the nearest wins in any order.
+//         with the edge functions w and the doubled area A. "In" allows a slack of 1/64 pixel:
+//         p is inside the triangle's box and on the inner side of each edge, both grown by the
+//         slack (w >= -slack (|dx| + |dy|)). So neighbours that were split to different depths
+//         leave no crack; pixels covered twice do no harm, since the nearest wins in any order.
 #pragma once
 
 #include "raster/block_rule.hpp"
@@ -25,6 +27,11 @@ namespace umbra78::raster {
 enum class Sampling : std::uint8_t { leaf, centre };
 
 inline constexpr std::int32_t slack = 128;  // 1/64 pixel
+
+// The farthest that two corners of a triangle may lie apart in X or in Y: then an edge function of
+// a place within the triangle's box and the slack fits 32 bits. Almost four pixels.
+inline constexpr std::int32_t max_triangle = (1 << 15) - 1 - slack;
+static_assert(std::int64_t{2} * max_triangle * (max_triangle + slack) <= INT32_MAX);
 
 struct Sample {
     int px, py;           // pixel, 0 is left and top
@@ -44,7 +51,7 @@ inline Corner corner_at(const Corners& g, int i, int j) {
     return {g[0][v][u], g[1][v][u], g[2][v][u]};
 }
 
-// Depth of the triangle at (x, y), or false where it does not cover it.
+// The triangle's depth at (x, y), rounded half up; false where it does not cover the place.
 inline bool triangle_depth(const Corner& a, const Corner& b, const Corner& c, std::int32_t x,
                            std::int32_t y, std::int64_t& z) {
     const auto outside = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t at) {
@@ -72,8 +79,8 @@ inline bool triangle_depth(const Corner& a, const Corner& b, const Corner& c, st
     return true;
 }
 
-// A pixel's centre in raster units from the centre of the frame, and the first and the last pixel
-// whose centre is not before (not behind) a place.
+// A pixel's centre in raster units from the centre of the frame; the first pixel whose centre is
+// at a place or right of it, and the last whose centre is at it or left of it. |at| <= 2^30.
 constexpr std::int32_t pixel_centre(int p, std::int32_t half_px) {
     return (2 * (p - half_px) + 1) * (1 << (raster_fraction - 1));
 }
@@ -107,7 +114,8 @@ inline void centre_windows(const Corners& g, int j, std::int32_t half_px, Centre
     axis(g[1], w.y0, w.y1);
 }
 
-// The definition; drawing uses the form in lone_centres.hpp. Returns how many centres were tested.
+// Hands every sample of the block to `emit`, leaf by leaf. This is the definition; drawing uses the
+// form in leaf_centres.hpp. Returns how many centres were tested.
 template <class Emit>
 std::uint64_t sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
     std::uint64_t tested = 0;
@@ -134,6 +142,7 @@ std::uint64_t sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit
     return tested;
 }
 
+// Hands the sample of every leaf whose mean lies in the frame to `emit`.
 template <class Emit>
 void sample_leaves(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
     const std::int64_t half = spec.half_px() * pixel_units;
@@ -154,7 +163,8 @@ void sample_leaves(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
     }
 }
 
-// A sample's Z code; false where it lies before the near plane or behind the far one.
+// A sample's Z code, rounded by spec.depth_rounding; false where the sample lies before the near
+// plane or beyond the far one. What would get the background's code gets one code less.
 constexpr bool depth_code(std::int64_t z, const hw::MachineSpec& spec, std::uint32_t& code) {
     const std::int64_t c =
         fixed::round_shift(z, depth_guard(spec), spec.depth_rounding) + spec.depth_offset();

@@ -2,33 +2,30 @@
 
 #include "fixed/rounding.hpp"
 #include "fixed/sine.hpp"
+#include "raster/vector.hpp"
 
 namespace umbra78::raster {
 namespace {
 
 using fixed::Rounding;
 
-constexpr std::int32_t one_q30 = 1 << 30;
 constexpr std::int32_t handle_q30 = 284774038;  // 4/3 tan(45/4 degrees)
-
-constexpr std::int32_t product(std::int32_t a, std::int32_t b) {
-    return static_cast<std::int32_t>(
-        fixed::round_shift(std::int64_t{a} * b, 30, Rounding::half_even));
-}
 
 // Control point i of the cubic arc from 45 k to 45 (k + 1) degrees, as cosine and sine in Q2.30:
 // P0 + handle P0' next to the start, P3 - handle P3' next to the end.
 constexpr fixed::SineCosine arc_point(int k, int i) {
     const fixed::SineCosine end = fixed::sine_cosine((i < 2 ? k : k + 1) * (45 << world_fraction));
     const std::int32_t handle = i == 1 ? handle_q30 : i == 2 ? -handle_q30 : 0;
-    return {end.sine + product(handle, end.cosine), end.cosine - product(handle, end.sine)};
+    return {end.sine + axis_product(handle, end.cosine),
+            end.cosine - axis_product(handle, end.sine)};
 }
 
 // radius a b: a b is rounded to Q2.30, then the product to Q15.16.
 constexpr std::int32_t scaled(std::int32_t radius, std::int32_t a, std::int32_t b) {
-    return product(radius, product(a, b));
+    return axis_product(radius, axis_product(a, b));
 }
 
+// a + b i / 3, for i from 0 to 3.
 constexpr std::int32_t third(std::int64_t a, std::int64_t b, int i) {
     return static_cast<std::int32_t>(
         a + fixed::round_divide(b * i, 3, Rounding::half_even));
@@ -47,7 +44,7 @@ void sphere_patches(const Sphere& s, std::span<Patch, patches_per_sphere> out) {
                 const fixed::SineCosine u = arc_point(meridian, i);
                 patch.control[static_cast<std::size_t>(4 * j + i)] = {
                     s.centre.x + scaled(s.radius, u.sine, v.cosine),
-                    s.centre.y + scaled(s.radius, one_q30, v.sine),
+                    s.centre.y + scaled(s.radius, axis_one, v.sine),
                     s.centre.z + scaled(s.radius, u.cosine, v.cosine)};
             }
         }

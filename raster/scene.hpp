@@ -1,4 +1,5 @@
-// What is drawn: spheres, planes and bicubic Bezier patches in world words, and their materials.
+// The scene: spheres, planes and bicubic Bezier patches in world words, and their materials; and
+// the patches that spheres and planes become (hw/MACHINE.md, section 3).
 //
 // World: right-handed, x right, y up, z toward an observer at azimuth 0. World words are Q15.16.
 // A patch's control point (i, j) is control[4 j + i], i along u, j along v.
@@ -45,9 +46,10 @@ struct Plane {
 
 inline constexpr int patches_per_sphere = 32;
 
-// Eight patches round the vertical axis by four from pole to pole, each the product of two cubic
-// arcs of 45 degrees with the handle 4/3 tan(45/4 degrees). A cubic arc of 90 degrees stands up to
-// 0.027 % outside its circle; one of 45 degrees 64 times less, a twentieth of a quantum here.
+// Eight patches round the vertical axis by four from pole to pole: patch 8 q + m, for azimuths from
+// 45 m degrees and elevations from 45 (q - 2) degrees. Each is the product of two cubic arcs of
+// 45 degrees with the handle 4/3 tan(45/4 degrees). A cubic arc of 90 degrees lies up to 0.027 %
+// outside its circle; one of 45 degrees 64 times less, a twentieth of a quantum in the figures.
 void sphere_patches(const Sphere& s, std::span<Patch, patches_per_sphere> out);
 
 // The plane as one patch with evenly spaced control points.

@@ -13,7 +13,7 @@ using fixed::Rounding;
 constexpr std::int64_t one_q14 = std::int64_t{1} << unit_fraction;
 
 // Brings the largest component to at most `bits` bits, so that what follows fits 64.
-Vector scaled_to(Vector v, int bits) {
+WideVector scaled_to(WideVector v, int bits) {
     std::uint64_t largest = 0;
     for (const std::int64_t c : v) largest = std::max(largest, fixed::magnitude(c));
     const int down = static_cast<int>(std::bit_width(largest)) - bits;
@@ -22,11 +22,7 @@ Vector scaled_to(Vector v, int bits) {
     return v;
 }
 
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-bool is_zero(const Vector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+bool is_zero(const WideVector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
 // Three times the derivative at one end of a curve with ends a and b:
 // 3 f'(0) = 3 (f1 - f0) - 8 g0 - 4 g1,   3 f'(1) = 3 (f1 - f0) + 4 g0 + 8 g1.
@@ -36,50 +32,70 @@ std::int64_t tangent(const std::array<std::int64_t, 4>& f, const std::array<std:
     return at_b ? chord + 4 * g[a] + 8 * g[b] : chord - 8 * g[a] - 4 * g[b];
 }
 
-Vector tangent_u(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
-    Vector t{};
+WideVector tangent_u(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
+    WideVector t{};
     for (std::size_t k = 0; k < 3; ++k) t[k] = tangent(w[k].f, w[k].gu, 2 * v, 2 * v + 1, u == 1);
     return t;
 }
 
-Vector tangent_v(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
-    Vector t{};
+WideVector tangent_v(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
+    WideVector t{};
     for (std::size_t k = 0; k < 3; ++k) t[k] = tangent(w[k].f, w[k].gv, u, u + 2, v == 1);
     return t;
 }
 
-// Where an edge has collapsed (a pole) its tangent is 0: the opposite edge's stands in.
-Unit corner_normal(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
-    Vector tu = tangent_u(w, v, u), tv = tangent_v(w, v, u);
+// Where an edge is a point (at a sphere's pole) its tangent is 0, and the opposite edge's is taken.
+UnitVector corner_normal(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
+    WideVector tu = tangent_u(w, v, u), tv = tangent_v(w, v, u);
     if (is_zero(tu)) tu = tangent_u(w, 1 - v, u);
     if (is_zero(tv)) tv = tangent_v(w, v, 1 - u);
-    return unit(cross(scaled_to(tu, 30), scaled_to(tv, 30)));
+    return unit_vector(cross(scaled_to(tu, 30), scaled_to(tv, 30)));
 }
 
 // The bilinear mean at the centre of leaf (i, j), times 1024.
 template <class Corner>
-Vector at_leaf(const std::array<Corner, 4>& c, int i, int j) {
+WideVector at_leaf(const std::array<Corner, 4>& c, int i, int j) {
     const std::int64_t u = 2 * i + 1, v = 2 * j + 1;
-    Vector m{};
+    WideVector m{};
     for (std::size_t k = 0; k < 3; ++k)
         m[k] = (32 - v) * ((32 - u) * c[0][k] + u * c[1][k]) +
                v * ((32 - u) * c[2][k] + u * c[3][k]);
     return m;
 }
 
-Vector wide(const Unit& u) { return {u[0], u[1], u[2]}; }
+WideVector wide(const UnitVector& u) { return {u[0], u[1], u[2]}; }
 
 }  // namespace
 
-Unit unit(Vector v) {
+UnitVector unit_vector(WideVector v) {
     v = scaled_to(v, 30);
     const std::int64_t length = fixed::isqrt(static_cast<std::uint64_t>(dot(v, v)));
     if (length == 0) return {};
-    Unit out{};
+    UnitVector out{};
     for (std::size_t k = 0; k < 3; ++k)
         out[k] = static_cast<std::int32_t>(
             fixed::round_divide(v[k] * one_q14, length, Rounding::half_up));
     return out;
+}
+
+// The eye is target + distance back, rounded half up to Q15.16 and again to the place's format.
+Toward toward_eye(const View& view, hw::WordFormat object) {
+    Toward t;
+    t.to_point = view.projection == Projection::perspective;
+    const Axis& back = view.axes.back;
+    for (std::size_t k = 0; k < 3; ++k)
+        t.direction[k] = static_cast<std::int32_t>(
+            fixed::round_shift(back[k], axis_fraction - unit_fraction, Rounding::half_up));
+    if (!t.to_point) return t;
+    const Vector<std::int32_t> target{view.target.x, view.target.y, view.target.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t eye_q16 =
+            target[k] + fixed::round_shift(std::int64_t{view.distance} * back[k], axis_fraction,
+                                           Rounding::half_up);
+        t.point[k] = fixed::scale_shift(
+            eye_q16, world_fraction - object.fraction - object_guard, Rounding::half_up);
+    }
+    return t;
 }
 
 BlockShading::BlockShading(const std::array<Component, 3>& world, const ShadingSpec& spec,
@@ -93,19 +109,20 @@ BlockShading::BlockShading(const std::array<Component, 3>& world, const ShadingS
     }
 }
 
-Unit BlockShading::direction(const Toward& toward, int i, int j) const {
+UnitVector BlockShading::direction(const Toward& toward, int i, int j) const {
     if (!toward.to_point) return toward.direction;
-    Vector away = at_leaf(place_, i, j);
+    WideVector away = at_leaf(place_, i, j);
     for (std::size_t k = 0; k < 3; ++k) away[k] = 1024 * toward.point[k] - away[k];
-    return unit(away);
+    return unit_vector(away);
 }
 
 std::uint8_t BlockShading::level(int i, int j, bool in_shadow) const {
-    const Vector n = at_leaf(normal_, i, j);  // Q.24
+    const WideVector n = at_leaf(normal_, i, j);  // Q.24
     const std::int64_t length =
         std::max<std::int64_t>(fixed::isqrt(static_cast<std::uint64_t>(dot(n, n))), 1);
-    const Vector l = wide(direction(spec_.light, i, j)), v = wide(direction(spec_.viewer, i, j));
-    const auto cosine = [&](const Vector& d) {
+    const WideVector l = wide(direction(spec_.light, i, j));
+    const WideVector v = wide(direction(spec_.viewer, i, j));
+    const auto cosine = [&](const WideVector& d) {
         return fixed::round_divide(dot(n, d), length, Rounding::floor);
     };
     std::int64_t nv = cosine(v), nl = cosine(l);

@@ -3,13 +3,18 @@
 //   I = diffuse (ambient + (1 - ambient) max(0, N.L)) + specular max(0, R.V)^(2^shininess)
 //   R = 2 (N.L) N - L,   no highlight where N.L <= 0 or in shadow
 //
+// In: a block's corners and corrections in object words with object_guard more fraction bits.
+// Out: a level of 0..255 for each leaf. hw/MACHINE.md, section 9, gives every rounding.
 // A block has a unit normal, Q1.14, at each of its corners, from its own tangents in the world;
 // a leaf's normal is the bilinear mean at the leaf's centre, and its length is divided out. It is
-// turned toward the viewer, so an open surface has two sides. Cosines are Q1.14, floored.
+// turned toward the viewer, so an open surface has two sides. Cosines are Q1.14, floored. Where a
+// normal has no direction (a block that is a point or a line) its cosines are 0: ambient light.
+// Not emulated: how the machine of 1978 would have shaded; the paper leaves it open.
 #pragma once
 
 #include "raster/block.hpp"
 #include "raster/scene.hpp"
+#include "raster/vector.hpp"
 #include "raster/view.hpp"
 
 #include <array>
@@ -17,23 +22,23 @@
 
 namespace umbra78::raster {
 
+inline constexpr int object_guard = 6;  // fraction bits of places beyond those of object words
 inline constexpr int unit_fraction = 14;
-using Unit = std::array<std::int32_t, 3>;    // Q1.14
-using Vector = std::array<std::int64_t, 3>;  // any scale
-
-constexpr std::int64_t dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using UnitVector = Vector<std::int32_t>;  // Q1.14
 
 // v / |v| in Q1.14, rounded half up; 0 for 0.
-Unit unit(Vector v);
+UnitVector unit_vector(WideVector v);
 
-// A light's or a viewer's direction: constant, or from the place to a point.
+// Where light comes from or goes to: a direction, the same everywhere, or a point.
 struct Toward {
     bool to_point = false;
-    Unit direction{};  // toward it, where it is at infinity
-    Vector point{};    // object words with guard bits, where it is not
+    UnitVector direction{};  // used where to_point is false
+    WideVector point{};      // used where it is true; object words with guard bits
 };
+
+// Toward the eye of a view: the observer, or the light that the view is of. An orthographic
+// view's eye is at infinity.
+Toward toward_eye(const View& view, hw::WordFormat object);
 
 struct ShadingSpec {
     std::int32_t ambient_q8 = 77;  // 0..256
@@ -50,12 +55,12 @@ public:
     std::uint8_t level(int i, int j, bool in_shadow) const;
 
 private:
-    Unit direction(const Toward& toward, int i, int j) const;
+    UnitVector direction(const Toward& toward, int i, int j) const;
 
     const ShadingSpec& spec_;
     const Material& material_;
-    std::array<Unit, 4> normal_{};
-    std::array<Vector, 4> place_{};
+    std::array<UnitVector, 4> normal_{};
+    std::array<WideVector, 4> place_{};
 };
 
 }  // namespace umbra78::raster

@@ -1,10 +1,13 @@
-// What becomes of samples: the light's view keeps Z alone, the observer's Z and intensity.
+// The sinks that keep samples in a frame store: DepthSink Z alone (the light's view), PictureSink
+// Z and intensity (the observer's). hw/MACHINE.md, section 8.
 //
-// Nearer replaces; a tie goes to the smaller intensity. The smallest (Z, intensity) wins whatever
-// the order of the samples, which is what lets blocks be skipped, reordered or shared out.
+// A nearer sample replaces what is stored; at equal Z the smaller intensity does. So the store
+// holds the smallest (Z, intensity) in whatever order the samples come, and blocks may be skipped
+// where they are hidden, reordered or shared out.
 #pragma once
 
 #include "hw/frame_store.hpp"
+#include "raster/footprint.hpp"
 #include "raster/sampling.hpp"
 #include "raster/shading.hpp"
 
@@ -12,14 +15,13 @@
 
 namespace umbra78::raster {
 
-// Is every stored depth in the window nearer than `code`?
+// Whether every stored depth in the footprint's pixels is nearer than the footprint.
 template <class Depth>
-bool all_nearer(const hw::FrameStore<Depth>& store, int x0, int y0, int x1, int y1,
-                std::uint32_t code) {
-    for (int y = y0; y <= y1; ++y) {
+bool all_nearer(const hw::FrameStore<Depth>& store, const Footprint& f) {
+    for (int y = f.y0; y <= f.y1; ++y) {
         const Depth* row = store.depth.data() + store.address(0, y);
         bool nearer = true;
-        for (int x = x0; x <= x1; ++x) nearer &= row[x] < code;
+        for (int x = f.x0; x <= f.x1; ++x) nearer &= row[x] < f.nearest;
         if (!nearer) return false;
     }
     return true;
@@ -30,9 +32,7 @@ struct DepthSink {
     static constexpr bool shades = false;
     hw::FrameStore<Depth>& store;
 
-    bool hidden(int x0, int y0, int x1, int y1, std::uint32_t code) const {
-        return all_nearer(store, x0, y0, x1, y1, code);
-    }
+    bool hidden(const Footprint& f) const { return all_nearer(store, f); }
     void sample(const Sample& s, std::uint32_t code, const BlockShading*) {
         Depth& z = store.depth[store.address(s.px, s.py)];
         if (code < z) z = static_cast<Depth>(code);
@@ -44,9 +44,7 @@ struct PictureSink {
     static constexpr bool shades = true;
     hw::FrameStore<Depth>& store;
 
-    bool hidden(int x0, int y0, int x1, int y1, std::uint32_t code) const {
-        return all_nearer(store, x0, y0, x1, y1, code);
-    }
+    bool hidden(const Footprint& f) const { return all_nearer(store, f); }
     void sample(const Sample& s, std::uint32_t code, const BlockShading* shading) {
         const std::size_t a = store.address(s.px, s.py);
         if (code > store.depth[a]) return;

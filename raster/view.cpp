@@ -11,30 +11,20 @@ namespace {
 
 using fixed::Rounding;
 
-constexpr std::int64_t one_q30 = std::int64_t{1} << 30;
-constexpr std::int64_t one_q16 = std::int64_t{1} << 16;
+constexpr std::int64_t one_q16 = std::int64_t{1} << world_fraction;
 
-std::int32_t product(std::int32_t a, std::int32_t b) {
-    return static_cast<std::int32_t>(
-        fixed::round_shift(std::int64_t{a} * b, 30, Rounding::half_even));
-}
-
-Rational q30(std::int32_t word) { return Rational(word, one_q30); }
+Rational q30(std::int32_t word) { return Rational(word, axis_one); }
 Rational q16(std::int64_t word) { return Rational(word, one_q16); }
 
-using Vector = std::array<Rational, 3>;
+using ExactVector = Vector<Rational>;
 
-Vector axis(const Axis& a) { return {q30(a[0]), q30(a[1]), q30(a[2])}; }
-
-Rational dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+ExactVector exact(const Axis& a) { return {q30(a[0]), q30(a[1]), q30(a[2])}; }
 
 // The point that matrices measure from: the target, or the eye of a perspective view.
-Vector origin(const View& v) {
-    Vector o{q16(v.target.x), q16(v.target.y), q16(v.target.z)};
+ExactVector origin(const View& v) {
+    ExactVector o{q16(v.target.x), q16(v.target.y), q16(v.target.z)};
     if (v.projection == Projection::perspective) {
-        const Vector back = axis(v.axes.back);
+        const ExactVector back = exact(v.axes.back);
         for (std::size_t k = 0; k < 3; ++k) o[k] += q16(v.distance) * back[k];
     }
     return o;
@@ -47,28 +37,25 @@ Rational focal(const View& v, const MachineSpec& spec) {
 }
 
 // scale (a, -a . o)
-std::array<Rational, 4> plane_row(const Vector& a, const Vector& o, const Rational& scale) {
+std::array<Rational, 4> plane_row(const ExactVector& a, const ExactVector& o,
+                                  const Rational& scale) {
     return {scale * a[0], scale * a[1], scale * a[2], -(scale * dot(a, o))};
 }
 
-Vector negated(const Vector& v) { return {-v[0], -v[1], -v[2]}; }
+ExactVector negated(const ExactVector& v) { return {-v[0], -v[1], -v[2]}; }
 
-// v / |v| in Q2.30, for components of at most 33 bits.
-Axis normalized(std::array<std::int64_t, 3> v) {
+// v / |v| in Q2.30, for components of at most 33 bits that are not all 0.
+Axis normalized(WideVector v) {
     std::uint64_t largest = 0;
     for (const std::int64_t c : v) largest = std::max(largest, fixed::magnitude(c));
-    // Scale to 31 bits, so that the squares' sum keeps 64 and the root 32.
-    const int up = 31 - static_cast<int>(std::bit_width(largest));
-    std::uint64_t sum = 0;
-    for (std::int64_t& c : v) {
-        c = fixed::scale_shift(c, -up + 1, Rounding::half_even);
-        sum += static_cast<std::uint64_t>(c * c);
-    }
-    const std::int64_t length = fixed::isqrt(sum);
+    // The largest component gets 30 bits, so that the squares' sum fits 62.
+    const int down = static_cast<int>(std::bit_width(largest)) - 30;
+    for (std::int64_t& c : v) c = fixed::scale_shift(c, down, Rounding::half_even);
+    const std::int64_t length = fixed::isqrt(static_cast<std::uint64_t>(dot(v, v)));
     Axis out{};
     for (std::size_t k = 0; k < 3; ++k)
         out[k] = static_cast<std::int32_t>(
-            fixed::round_divide(v[k] * one_q30, length, Rounding::half_even));
+            fixed::round_divide(v[k] * axis_one, length, Rounding::half_even));
     return out;
 }
 
@@ -78,38 +65,34 @@ ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16) 
     const fixed::SineCosine a = fixed::sine_cosine(azimuth_q16);
     const fixed::SineCosine b = fixed::sine_cosine(elevation_q16);
     return {{a.cosine, 0, -a.sine},
-            {-product(a.sine, b.sine), b.cosine, -product(a.cosine, b.sine)},
-            {product(a.sine, b.cosine), b.sine, product(a.cosine, b.cosine)}};
+            {-axis_product(a.sine, b.sine), b.cosine, -axis_product(a.cosine, b.sine)},
+            {axis_product(a.sine, b.cosine), b.sine, axis_product(a.cosine, b.cosine)}};
 }
 
 bool axes_from_points(const World& from, const World& to, ViewAxes& out) {
-    const std::array<std::int64_t, 3> v{std::int64_t{from.x} - to.x, std::int64_t{from.y} - to.y,
-                                        std::int64_t{from.z} - to.z};
+    const WideVector v{std::int64_t{from.x} - to.x, std::int64_t{from.y} - to.y,
+                       std::int64_t{from.z} - to.z};
     if (v[0] == 0 && v[1] == 0 && v[2] == 0) return false;
     out.back = normalized(v);
     if (v[0] == 0 && v[2] == 0) {
-        out.right = {static_cast<std::int32_t>(one_q30), 0, 0};
+        out.right = {axis_one, 0, 0};
     } else {
         out.right = normalized({v[2], 0, -v[0]});
     }
     // up = back x right; right has no vertical part.
     const Axis& b = out.back;
     const Axis& r = out.right;
-    out.up = {product(b[1], r[2]), product(b[2], r[0]) - product(b[0], r[2]),
-              -product(b[1], r[0])};
+    out.up = {axis_product(b[1], r[2]), axis_product(b[2], r[0]) - axis_product(b[0], r[2]),
+              -axis_product(b[1], r[0])};
     return true;
 }
 
 DepthRange depth_range(const View& view, std::span<const Patch> patches) {
-    const Vector toward = negated(axis(view.axes.back));
-    const Rational offset = dot(toward, origin(view));
+    const Rational offset = -dot(exact(view.axes.back), origin(view));
     DepthRange range{INT64_MAX, INT64_MIN};
     for (const Patch& patch : patches) {
         for (const World& p : patch.control) {
-            // Integers suffice: depth 2^46 = sum of Q30 x Q16 products.
-            const std::int64_t d = -(std::int64_t{view.axes.back[0]} * p.x +
-                                     std::int64_t{view.axes.back[1]} * p.y +
-                                     std::int64_t{view.axes.back[2]} * p.z);
+            const std::int64_t d = -nearness(view.axes, p);
             range.min = std::min(range.min, d);
             range.max = std::max(range.max, d);
         }
@@ -117,7 +100,7 @@ DepthRange depth_range(const View& view, std::span<const Patch> patches) {
     if (patches.empty()) return {0, 0};
     const auto word = [&](std::int64_t q46, Rounding rounding) {
         std::int64_t out = 0;
-        (Rational(q46, one_q30 * one_q16) - offset).round_scaled(16, rounding, out);
+        (Rational(q46, axis_one * one_q16) - offset).round_scaled(world_fraction, rounding, out);
         return out;
     };
     return {word(range.min, Rounding::floor), word(range.max, Rounding::ceiling)};
@@ -137,14 +120,14 @@ void fit_depth(View& view, const DepthRange& scene) {
 }
 
 RationalMatrix world_to_screen(const View& view, const MachineSpec& spec) {
-    const Vector o = origin(view);
-    const Vector away = negated(axis(view.axes.back));
+    const ExactVector o = origin(view);
+    const ExactVector away = negated(exact(view.axes.back));
     const Rational near = q16(view.near_depth), far = q16(view.far_depth);
     const Rational h = spec.half_px();
     const Rational scale = focal(view, spec);
     RationalMatrix m;
-    m[0] = plane_row(axis(view.axes.right), o, scale);
-    m[1] = plane_row(negated(axis(view.axes.up)), o, scale);
+    m[0] = plane_row(exact(view.axes.right), o, scale);
+    m[1] = plane_row(negated(exact(view.axes.up)), o, scale);
     if (view.projection == Projection::orthographic) {
         // z = h (2 (d - near) / (far - near) - 1)
         m[2] = plane_row(away, o, h * Rational(2) / (far - near));
@@ -160,9 +143,9 @@ RationalMatrix world_to_screen(const View& view, const MachineSpec& spec) {
 }
 
 RationalMatrix screen_to_world(const View& view, const MachineSpec& spec) {
-    const Vector o = origin(view);
-    const Vector right = axis(view.axes.right), up = axis(view.axes.up);
-    const Vector back = axis(view.axes.back);
+    const ExactVector o = origin(view);
+    const ExactVector right = exact(view.axes.right), up = exact(view.axes.up);
+    const ExactVector back = exact(view.axes.back);
     const Rational near = q16(view.near_depth), far = q16(view.far_depth);
     const Rational h = spec.half_px();
     const Rational scale = focal(view, spec);

@@ -1,4 +1,4 @@
-// Views: where the observer or the light stands, and the exact matrices that follow from it.
+// Views: where the observer or the light is, and the exact matrices that follow from it.
 //
 // A view looks along -back at `target`. Its axes, with azimuth a to the right about the vertical
 // axis and elevation b above the horizon:
@@ -13,11 +13,13 @@
 // target (orthographic) or from the eye (perspective); near maps to the first Z code, far to 2^z.
 //
 // Matrices are exact rationals of the scene's words (sines are Q2.30 words); the only rounding is
-// hw::load_matrix's. Not emulated: how a host of 1978 made them, in what precision.
+// hw::load_matrix's. The formulas and their roundings are those of hw/MACHINE.md, section 4.
+// Not emulated: how a host of 1978 made the matrices, and in what precision.
 #pragma once
 
 #include "hw/transform_unit.hpp"
 #include "raster/scene.hpp"
+#include "raster/vector.hpp"
 
 #include <array>
 #include <cstdint>
@@ -31,8 +33,6 @@ using hw::RationalMatrix;
 
 enum class Projection : std::uint8_t { orthographic, perspective };
 
-using Axis = std::array<std::int32_t, 3>;  // Q2.30
-
 struct ViewAxes {
     Axis right, up, back;
 };
@@ -40,9 +40,15 @@ struct ViewAxes {
 // Angles in degrees, Q15.16. Products of sines are rounded half even to Q2.30.
 ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
 
-// The axes of a view that looks from `from` to `to`, for lights that are given by position. False
-// if the two coincide; straight above or below, right is (1, 0, 0).
+// The axes of a view that looks from `from` to `to`, for lights that are given by position.
+// Straight down or up, right is (1, 0, 0). False, and `out` as it was, if the points coincide.
 bool axes_from_points(const World& from, const World& to, ViewAxes& out);
+
+// How far a point lies along `back` from the origin, exactly, with 46 fraction bits. |p| < 2^31
+// and an axis of length 1 leave it in 63 bits.
+constexpr std::int64_t nearness(const ViewAxes& axes, const World& p) {
+    return dot(WideVector{axes.back[0], axes.back[1], axes.back[2]}, WideVector{p.x, p.y, p.z});
+}
 
 struct View {
     Projection projection = Projection::orthographic;
@@ -54,16 +60,17 @@ struct View {
     std::int64_t far_depth = 0;    // Q.16, > near_depth (> 0 in perspective)
 };
 
-// Least and greatest depth of the patches' control points in the view, Q.16, rounded outward.
+// The min and max depth of the patches' control points in the view, Q.16, rounded outward.
 struct DepthRange {
     std::int64_t min, max;
 };
+// {0, 0} without patches.
 DepthRange depth_range(const View& view, std::span<const Patch> patches);
 
 // Near and far where the scene file gives none. Orthographic: the cube, +-extent, so that a Z
-// quantum is 2^-depth_fraction pixel; if the scene reaches out of it, the least symmetric range
-// that holds the scene. Perspective: the scene's range and 1/64 of it on either side, near at
-// least far / 1024.
+// quantum is 2^-depth_fraction pixel; if the scene reaches out of it, the smallest symmetric range
+// that holds the scene. Perspective: 63/64 of the scene's min depth to 65/64 of its max depth, but
+// near is at least far / 1024.
 void fit_depth(View& view, const DepthRange& scene);
 
 // World units (not words) to homogeneous screen pixels, and back.

@@ -32,7 +32,7 @@ public:
           draws_noise_(noise) {}
 
     // Nothing is left out: the machine transforms every point it generates.
-    bool hidden(int, int, int, int, std::uint32_t) const { return false; }
+    bool hidden(const raster::Footprint&) const { return false; }
 
     void sample(const raster::Sample& s, std::uint32_t code,
                 const raster::BlockShading* shading) {

@@ -7,27 +7,13 @@
 namespace umbra78::shadow {
 namespace {
 
-using raster::BlockAction;
-using raster::ScreenBounds;
+using raster::Footprint;
 
-enum class Seen : std::uint8_t { outside, within, unknown };
-
-// Of a whole patch in a view: outside, or the bounds of all its samples, or not known.
-Seen patch_bounds(const raster::Patch& patch, const FrameInputs& in,
-                  const hw::MatrixWords& matrix, ScreenBounds& bounds) {
-    const hw::MachineSpec& spec = in.settings.machine;
-    const raster::ObjectWords words = raster::to_object_words(patch, in.matrices.object);
-    if (matrix.affine) {
-        bounds = raster::affine_bounds(
-            raster::affine_components(words, matrix, spec, in.matrices.object));
-    } else {
-        const auto c = raster::homogeneous_components(words, matrix, spec, in.matrices.object);
-        const raster::Sight sight = raster::projected_bounds(c, spec, bounds);
-        if (sight == raster::Sight::outside) return Seen::outside;
-        if (sight == raster::Sight::both) return Seen::unknown;
-    }
-    const bool outside = raster::block_action(bounds, spec) == BlockAction::outside;
-    return outside ? Seen::outside : Seen::within;
+// False if the whole patch is out of the view.
+bool seen(const raster::Patch& patch, const FrameInputs& in, const hw::MatrixWords& matrix,
+          Footprint& footprint) {
+    return raster::patch_footprint(patch, matrix, in.settings.machine, in.matrices.object,
+                                   footprint) != raster::Visibility::outside;
 }
 
 // Input words of the unit, both ends inclusive.
@@ -37,22 +23,11 @@ struct WordBox {
 
 // Pixels by their outer edges and one more all round, so that a pixel's centre, its index and any
 // point of it, half a pixel off or not, lie within.
-WordBox word_box(const ScreenBounds* bounds, const Settings& s) {
-    const hw::MachineSpec& m = s.machine;
-    raster::detail::PixelWindow w{0, 0, m.size_px() - 1, m.size_px() - 1};
-    std::uint32_t nearest = 0, farthest = m.deepest_drawn();
-    if (bounds != nullptr) {
-        w = raster::detail::pixel_window(*bounds, m);
-        // A quantum to either side, for what rounding may do to the corners.
-        const std::int64_t one = std::int64_t{1} << raster::depth_guard(m);
-        std::uint32_t code = 0;
-        if (raster::depth_code((*bounds)[2].min - one, m, code)) nearest = code;
-        if (raster::depth_code((*bounds)[2].max + one, m, code)) farthest = code;
-    }
+WordBox word_box(const Footprint& f, const Settings& s) {
     Settings index = s;
     index.registration = Registration::index;  // a pixel's left and upper edge
-    const hw::Words low = pixel_words(w.x0 - 1, w.y0 - 1, nearest, index);
-    const hw::Words high = pixel_words(w.x1 + 2, w.y1 + 2, farthest, index);
+    const hw::Words low = pixel_words(f.x0 - 1, f.y0 - 1, f.nearest, index);
+    const hw::Words high = pixel_words(f.x1 + 2, f.y1 + 2, f.farthest, index);
     return {{low.x, high.x}, {low.y, high.y}, {low.z, high.z}};
 }
 
@@ -103,15 +78,12 @@ bool may_reach(const WordBox& box, const FrameInputs& in) {
 Reach cull(const FrameInputs& in) {
     Reach reach;
     for (const raster::Patch& patch : in.scene.patches) {
-        ScreenBounds bounds{};
-        if (patch_bounds(patch, in, in.matrices.world_to_light, bounds) == Seen::outside)
-            ++reach.outside_light;
-        const Seen seen = patch_bounds(patch, in, in.matrices.world_to_observer, bounds);
-        if (seen == Seen::outside) {
+        Footprint footprint{};
+        if (!seen(patch, in, in.matrices.world_to_light, footprint)) ++reach.outside_light;
+        if (!seen(patch, in, in.matrices.world_to_observer, footprint)) {
             ++reach.outside_observer;
         } else if (!reach.into_light) {
-            reach.into_light =
-                may_reach(word_box(seen == Seen::within ? &bounds : nullptr, in.settings), in);
+            reach.into_light = may_reach(word_box(footprint, in.settings), in);
         }
     }
     return reach;

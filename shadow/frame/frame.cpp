@@ -58,8 +58,8 @@ raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan,
             object,
             in.settings.sampling,
             in.scene.materials,
-            {in.settings.ambient_q8, raster::toward_light(in.scene.light, object),
-             raster::toward_viewer(in.scene.observer, object)},
+            {in.settings.ambient_q8, raster::toward_eye(in.scene.light, object),
+             raster::toward_eye(in.scene.observer, object)},
             plan.unit_work()};
 }
 

@@ -8,7 +8,7 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     using enum FrameStatus;
     const hw::MachineSpec& spec = settings.machine;
     if (hw::check(spec) != hw::SpecStatus::ok || !array_can(settings)) return spec_out_of_range;
-    out.object = raster::object_words(scene.patches);
+    out.object = raster::object_format(scene.patches);
     const auto load = [&](const raster::View& view, hw::MatrixWords& words) {
         return raster::load_view(view, spec, out.object, words) == hw::LoadStatus::ok;
     };

@@ -10,7 +10,7 @@ namespace {
 // Counts what it is given; hides and keeps nothing.
 struct CountingSink {
     static constexpr bool shades = false;
-    bool hidden(int, int, int, int, std::uint32_t) const { return false; }
+    bool hidden(const raster::Footprint&) const { return false; }
     void sample(const raster::Sample&, std::uint32_t, const raster::BlockShading*) {}
 };
 

@@ -43,10 +43,10 @@ bool same_surfaces(const FrameInputs& a, const FrameInputs& b) {
 
 bool same_shading(const FrameInputs& a, const FrameInputs& b) {
     const auto light = [](const FrameInputs& f) {
-        return raster::toward_light(f.scene.light, f.matrices.object);
+        return raster::toward_eye(f.scene.light, f.matrices.object);
     };
     const auto viewer = [](const FrameInputs& f) {
-        return raster::toward_viewer(f.scene.observer, f.matrices.object);
+        return raster::toward_eye(f.scene.observer, f.matrices.object);
     };
     return same_surfaces(a, b) && a.settings.ambient_q8 == b.settings.ambient_q8 &&
            same(light(a), light(b)) && same(viewer(a), viewer(b));

@@ -1,4 +1,4 @@
-// Sampling by lone centres is sample_centres: the same samples in the same order, and as many
+// Sampling by leaf centres is sample_centres: the same samples in the same order, and as many
 // tested centres, of random blocks, larger and stranger than the block rule allows, and of every
 // block of a frame; and hence the same frame and counts.
 #include "raster/leaf_centres.hpp"
@@ -36,8 +36,8 @@ using umbra78::test::Drawing;
 auto words(const Sample& s) { return std::tuple(s.leaf_j, s.leaf_i, s.py, s.px, s.z, s.x, s.y); }
 
 bool steps_back(const Corners& g, const hw::MachineSpec& spec) {
-    detail::LoneCentres found;
-    return !detail::find_lone_centres(g, spec.half_px(), found);
+    detail::LeafCentres found;
+    return !detail::find_leaf_centres(g, spec.half_px(), found);
 }
 
 // The two forms' samples of a block; returns how many there are.
@@ -45,11 +45,11 @@ std::size_t expect_same_samples(const Corners& g, const hw::MachineSpec& spec) {
     std::vector<Sample> plain, lone;
     const auto into = [](auto& list) { return [&](const Sample& s) { list.push_back(s); }; };
     const std::uint64_t tested = sample_centres(g, spec, into(plain));
-    EXPECT_EQ(sample_lone_centres(g, spec, into(lone)), tested) << "tested centres";
+    EXPECT_EQ(sample_leaf_centres(g, spec, into(lone)), tested) << "tested centres";
     EXPECT_EQ(lone.size(), plain.size());
     for (std::size_t k = 0; k < std::min(plain.size(), lone.size()); ++k) {
         if (words(plain[k]) == words(lone[k])) continue;
-        ADD_FAILURE() << "sample " << k << ": " << plain[k] << "; by lone centres " << lone[k];
+        ADD_FAILURE() << "sample " << k << ": " << plain[k] << "; by leaf centres " << lone[k];
         break;
     }
     return plain.size();
@@ -100,7 +100,7 @@ Corners random_block(Random& random, const Kind& kind, std::int32_t half_px) {
     return g;
 }
 
-TEST(LoneCentres, HaveTheSamplesOfRandomBlocks) {
+TEST(LeafCentres, HaveTheSamplesOfRandomBlocks) {
     Random random;
     std::size_t samples = 0, back = 0, ahead = 0;
     const int blocks = effort(4000);  // of a kind
@@ -117,12 +117,12 @@ TEST(LoneCentres, HaveTheSamplesOfRandomBlocks) {
     EXPECT_GT(samples, 50u * static_cast<std::size_t>(blocks));
     EXPECT_GT(back, static_cast<std::size_t>(blocks));
     EXPECT_GT(ahead, 2u * static_cast<std::size_t>(blocks));
-    std::cout << "[ measured ] " << samples << " samples; " << ahead << " blocks by lone centres, "
+    std::cout << "[ measured ] " << samples << " samples; " << ahead << " blocks by leaf centres, "
               << back << " left to the definition\n";
 }
 
 // The last corner that 16 bits hold, and the first that they do not, on each side.
-TEST(LoneCentres, LeaveFarCornersToTheDefinition) {
+TEST(LeafCentres, LeaveFarCornersToTheDefinition) {
     constexpr std::int32_t reach = 1 << 27;
     for (const auto& [at, near] : {std::pair{reach - 1, true}, {reach, false},
                                    {-reach, true}, {-reach - 1, false}}) {
@@ -135,7 +135,7 @@ TEST(LoneCentres, LeaveFarCornersToTheDefinition) {
     }
 }
 
-class DrawnByLoneCentres : public testing::TestWithParam<std::tuple<Projection, int>> {};
+class DrawnByLeafCentres : public testing::TestWithParam<std::tuple<Projection, int>> {};
 
 void expect_same_counts(const DrawCounts& plain, const DrawCounts& drawn) {
     EXPECT_EQ(plain.patches, drawn.patches);
@@ -148,7 +148,7 @@ void expect_same_counts(const DrawCounts& plain, const DrawCounts& drawn) {
 }
 
 // A frame drawn by the definition, a block at a time, is the frame that draw() draws.
-TEST_P(DrawnByLoneCentres, IsTheFrameDrawnByTheDefinition) {
+TEST_P(DrawnByLeafCentres, IsTheFrameDrawnByTheDefinition) {
     const auto [projection, xy_bits] = GetParam();
     hw::MachineSpec spec;
     spec.xy_bits = xy_bits;
@@ -166,10 +166,10 @@ TEST_P(DrawnByLoneCentres, IsTheFrameDrawnByTheDefinition) {
     const DrawCounts drawn_counts =
         drawn.draw(patches, view, Sampling::centre, &light, {}, false);
 
-    const hw::WordFormat object = object_words(patches);
+    const hw::WordFormat object = object_format(patches);
     DrawSetup setup{spec, {}, object, Sampling::centre, plain.materials, {}};
     ASSERT_EQ(load_view(view, spec, object, setup.matrix), hw::LoadStatus::ok);
-    setup.shading = {plain.ambient_q8, toward_light(light, object), toward_viewer(view, object)};
+    setup.shading = {plain.ambient_q8, toward_eye(light, object), toward_eye(view, object)};
     const auto memory = std::make_unique<DrawMemory>();
     DrawCounts counts;
     detail::BlockWalk walk(setup, *memory, true, counts);
@@ -200,7 +200,7 @@ TEST_P(DrawnByLoneCentres, IsTheFrameDrawnByTheDefinition) {
     expect_equal_buffers("intensity", spec.size_px(), plain.intensity(), drawn.intensity());
 }
 
-INSTANTIATE_TEST_SUITE_P(Views, DrawnByLoneCentres,
+INSTANTIATE_TEST_SUITE_P(Views, DrawnByLeafCentres,
                          testing::Combine(testing::Values(Projection::orthographic,
                                                           Projection::perspective),
                                           testing::Values(6, 9)));

@@ -34,7 +34,7 @@ bool corrections_fit(const Component& c, const std::array<std::int64_t, 16>& p) 
 // A window of 2^window and a depth of 2^depth quanta of the world, far away. Whether it is held.
 bool held(const MachineSpec& spec, int window, int depth) {
     const Patch patch = crumpled();
-    const WordFormat object = object_words({&patch, 1});
+    const WordFormat object = object_format({&patch, 1});
     const ObjectWords words = to_object_words(patch, object);
     View view = umbra78::test::orthographic(0, 0, 1);
     view.extent = std::int32_t{1} << window;

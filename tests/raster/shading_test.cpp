@@ -44,8 +44,8 @@ std::array<Component, 3> flat(const Vector3& u, const Vector3& v) {
     return world;
 }
 
-Unit q14(const Vector3& v) {
-    Unit u{};
+UnitVector q14(const Vector3& v) {
+    UnitVector u{};
     for (std::size_t k = 0; k < 3; ++k)
         u[k] = static_cast<std::int32_t>(std::lround(v[k] * (1 << 14)));
     return u;

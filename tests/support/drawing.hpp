@@ -60,11 +60,11 @@ inline raster::Plane plane(const std::array<double, 3>& o, const std::array<doub
 }
 
 // A sink that hides nothing, around one that may.
-template <class Sink>
+template <raster::Sink S>
 struct Unhiding {
-    static constexpr bool shades = Sink::shades;
-    Sink& sink;
-    bool hidden(int, int, int, int, std::uint32_t) const { return false; }
+    static constexpr bool shades = S::shades;
+    S& sink;
+    bool hidden(const raster::Footprint&) const { return false; }
     void sample(const raster::Sample& s, std::uint32_t code, const raster::BlockShading* shading) {
         sink.sample(s, code, shading);
     }
@@ -96,12 +96,12 @@ public:
     raster::DrawCounts draw(const Patches& patches, const raster::View& view,
                             raster::Sampling sampling, const raster::View* light = nullptr,
                             std::span<const std::uint32_t> order = {}, bool may_hide = true) {
-        const hw::WordFormat object = raster::object_words(patches);
+        const hw::WordFormat object = raster::object_format(patches);
         raster::DrawSetup setup{spec_, {}, object, sampling, materials, {}};
         EXPECT_EQ(raster::load_view(view, spec_, object, setup.matrix), hw::LoadStatus::ok);
         setup.shading.ambient_q8 = ambient_q8;
-        setup.shading.viewer = raster::toward_viewer(view, object);
-        if (light != nullptr) setup.shading.light = raster::toward_light(*light, object);
+        setup.shading.viewer = raster::toward_eye(view, object);
+        if (light != nullptr) setup.shading.light = raster::toward_eye(*light, object);
         auto frame = store();
         const auto into = [&](auto sink) {
             if (may_hide) return raster::draw(patches, order, setup, *memory_, sink);

@@ -327,7 +327,7 @@ TEST(Frame, OrderOfPatchesChangesNothing) {
 // A sink that never leaves a hidden block out, and hears of every sample in the given order.
 template <class Sink>
 struct Eager : Sink {
-    bool hidden(int, int, int, int, std::uint32_t) const { return false; }
+    bool hidden(const raster::Footprint&) const { return false; }
 };
 
 // Leaving out hidden blocks is an omission, not a choice: drawn in full, and back to front, the
@@ -342,8 +342,8 @@ TEST(Frame, HiddenBlocksChangeNothing) {
     const auto setup = [&](const hw::MatrixWords& matrix) {
         const hw::WordFormat object = eager.matrices.object;
         return raster::DrawSetup{s.machine, matrix, object, s.sampling, scene.materials,
-                                 {s.ambient_q8, raster::toward_light(scene.light, object),
-                                  raster::toward_viewer(scene.observer, object)}};
+                                 {s.ambient_q8, raster::toward_eye(scene.light, object),
+                                  raster::toward_eye(scene.observer, object)}};
     };
     FrameBuffers<hw::Depth16>& b = eager.buffers;
     const auto back_to_front = [&](const raster::View& view) {
