@@ -1,7 +1,7 @@
 // Sampling: a block's 17 x 17 corners to samples of pixels (hw/MACHINE.md, section 7).
 //
-// In: corners in raster units, int32; no triangle wider than max_triangle. Out: samples, Z in
-// raster units; depth_code makes a Z code of it.
+// In: corners in raster units, 31-bit words. Out: samples, Z in raster units, of which depth_code
+// makes a Z code.
 //
 // leaf    The leaf's centre, the mean of its four corners, falls in one pixel. Catmull's own.
 // centre  A leaf is the triangles (00, 10, 11) and (00, 11, 01). A pixel whose centre p lies in
@@ -28,10 +28,16 @@ enum class Sampling : std::uint8_t { leaf, centre };
 
 inline constexpr std::int32_t slack = 128;  // 1/64 pixel
 
-// The farthest that two corners of a triangle may lie apart in X or in Y: then an edge function of
-// a place within the triangle's box and the slack fits 32 bits. Almost four pixels.
+// The farthest that two corners of a triangle may lie apart in X or in Y so that an edge function
+// of a place within the triangle's box and the slack fits 32 bits. Almost four pixels.
 inline constexpr std::int32_t max_triangle = (1 << 15) - 1 - slack;
 static_assert(std::int64_t{2} * max_triangle * (max_triangle + slack) <= INT32_MAX);
+
+// In an orthographic view no leaf is wider: the block rule's slopes and the corners' rounding make
+// less than a pixel. In perspective the corners' rounding may be worth pixels where W is a word of
+// a few units (a view of some object words' width); a wider triangle takes the wide form.
+inline constexpr std::int64_t max_affine_leaf = max_slope / leaves + 2 * max_corner_error;
+static_assert(max_affine_leaf <= pixel_units && pixel_units <= max_triangle);
 
 struct Sample {
     int px, py;           // pixel, 0 is left and top
@@ -51,13 +57,21 @@ inline Corner corner_at(const Corners& g, int i, int j) {
     return {g[0][v][u], g[1][v][u], g[2][v][u]};
 }
 
+namespace detail {
+// triangle_depth for triangles of any size and a place in their box.
+bool wide_triangle_depth(const Corner& a, const Corner& b, const Corner& c, std::int32_t x,
+                         std::int32_t y, std::int64_t& z);
+}  // namespace detail
+
 // The triangle's depth at (x, y), rounded half up; false where it does not cover the place.
 inline bool triangle_depth(const Corner& a, const Corner& b, const Corner& c, std::int32_t x,
                            std::int32_t y, std::int64_t& z) {
-    const auto outside = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t at) {
-        return at < std::min({p, q, r}) - slack || at > std::max({p, q, r}) + slack;
-    };
-    if (outside(a.x, b.x, c.x, x) || outside(a.y, b.y, c.y, y)) return false;
+    const auto [min_x, max_x] = std::minmax({a.x, b.x, c.x});
+    const auto [min_y, max_y] = std::minmax({a.y, b.y, c.y});
+    if (x < min_x - slack || x > max_x + slack) return false;
+    if (y < min_y - slack || y > max_y + slack) return false;
+    if (max_x - min_x > max_triangle || max_y - min_y > max_triangle) [[unlikely]]
+        return detail::wide_triangle_depth(a, b, c, x, y, z);
     const auto edge = [&](const Corner& p, const Corner& q, std::int32_t rx, std::int32_t ry) {
         return (q.x - p.x) * (ry - p.y) - (rx - p.x) * (q.y - p.y);
     };
