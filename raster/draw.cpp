@@ -11,8 +11,8 @@ using fixed::Rounding;
 
 // A control point's raster word is at most 2^55: what block.hpp makes of it then fits 64 bits.
 constexpr int raster_bits = 55;
-static_assert(max_growth <= INT64_MAX >> raster_bits);
-static_assert(max_growth > INT64_MAX >> (raster_bits + 1), "no view is refused without need");
+static_assert(max_growth <= INT64_MAX / (std::int64_t{1} << raster_bits));
+static_assert(max_growth > INT64_MAX / (std::int64_t{2} << raster_bits), "and no more bits do");
 
 template <std::size_t N>
 std::array<Component, N> first(const std::array<Component, 4>& c) {

@@ -15,10 +15,11 @@ constexpr std::int64_t farthest_centre = 1 << 12;
 
 // X, Y, Z and W are signed words of 44 bits: X - c W and all that block.hpp makes of it fit 64.
 constexpr int homogeneous_bits = 44;
-static_assert(max_growth <= INT64_MAX >> (homogeneous_bits - 1));
+constexpr std::int64_t max_growth_here = INT64_MAX / (std::int64_t{1} << (homogeneous_bits - 1));
+static_assert(max_growth <= max_growth_here);
 // X - c W is made of components, not of control points: their bounds grow by less.
 constexpr std::int64_t max_bounds_growth = 2 + 4 * 3 + 2 * 3 + 4 * 9;  // slope_u, the greatest
-static_assert(max_bounds_growth * (farthest_centre + 1) <= INT64_MAX >> (homogeneous_bits - 1));
+static_assert(max_bounds_growth * (farthest_centre + 1) <= max_growth_here);
 
 template <class Transform>
 Component component(const ObjectWords& p, Transform&& transform) {

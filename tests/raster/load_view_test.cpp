@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 
@@ -71,6 +72,76 @@ TEST(LoadView, WhatIsNotRefusedStaysWithin64Bits) {
     EXPECT_GT(can, 500);
     EXPECT_GT(cannot, 100);
     std::cout << "[ measured ] " << can << " views held, " << cannot << " refused\n";
+}
+
+// hw/MACHINE.md, section 6: a matrix is refused if a row's exponent is more than 37 + f - out, and
+// no other that can be loaded is. Every power of two of the window and of the depth is asked.
+TEST(LoadView, IsRefusedFromTheTextsExponentOn) {
+    int at_limit = 0, beyond = 0;
+    MachineSpec spec;
+    for (spec.xy_bits = 4; spec.xy_bits <= 12; spec.xy_bits += 4)
+        for (spec.z_bits = 4; spec.z_bits <= 24; spec.z_bits += 5)
+            for (spec.coefficient_bits = 8; spec.coefficient_bits <= 32;
+                 spec.coefficient_bits += 12)
+                for (const int fraction : {0, 5, 14})
+                    for (int window = 0; window <= 30; ++window)
+                        for (const int depth : {0, 1, window, 30}) {
+                            View view = umbra78::test::orthographic(0, 0, 1);
+                            view.extent = std::int32_t{1} << window;
+                            view.near_depth = 0;
+                            view.far_depth = std::int64_t{1} << depth;
+                            const WordFormat object{object_bits, fraction};
+                            MatrixWords m, plain;
+                            const bool refused =
+                                load_view(view, spec, object, m) != hw::LoadStatus::ok;
+                            if (hw::load_matrix(world_to_screen(view, spec), spec, object,
+                                                plain) != hw::LoadStatus::ok) {
+                                ASSERT_TRUE(refused);
+                                continue;
+                            }
+                            const int guard = spec.z_bits > 20 ? 26 - spec.z_bits : 6;
+                            int over = -100;
+                            for (std::size_t r = 0; r < 3; ++r) {
+                                const int out =
+                                    r == 2 ? spec.z_bits - spec.xy_bits + guard : 13;
+                                over = std::max(over, plain.exponent[r] - (37 + fraction - out));
+                            }
+                            ASSERT_EQ(refused, over > 0)
+                                << spec.xy_bits << ' ' << spec.z_bits << ' '
+                                << spec.coefficient_bits << " window 2^" << window << " depth 2^"
+                                << depth;
+                            at_limit += over == 0 ? 1 : 0;
+                            beyond += over == 1 ? 1 : 0;
+                        }
+    EXPECT_GT(at_limit, 10);
+    EXPECT_GT(beyond, 10);
+}
+
+// Object words: the largest fraction that holds every control point, and words rounded half up.
+TEST(ObjectWords, HaveTheLargestFractionThatHoldsTheScene) {
+    for (int fraction = 0; fraction <= 14; ++fraction) {
+        // The greatest world word that rounds to 32767 at this fraction, and one more.
+        const std::int64_t step = std::int64_t{1} << (16 - fraction);
+        const std::int64_t largest = 32767 * step + step / 2 - 1;
+        for (const bool negative : {false, true}) {
+            Patch p;
+            const auto of = [&](std::int64_t v) {
+                p.control[7].y = static_cast<std::int32_t>(negative ? -v : v);
+                return object_format({&p, 1});
+            };
+            EXPECT_EQ(of(largest).fraction, fraction) << negative;
+            EXPECT_EQ(of(largest).bits, 16);
+            EXPECT_EQ(to_object_words(p, of(largest))[7].y, negative ? -32767 : 32767);
+            if (fraction == 0) continue;
+            EXPECT_EQ(of(largest + 1).fraction, fraction - 1) << negative;
+        }
+    }
+    Patch p;
+    p.control[0] = {2, -2, 3};
+    p.control[1] = {6, -6, 5};
+    const ObjectWords w = to_object_words(p, {16, 14});  // quarters: ties go up
+    EXPECT_TRUE(w[0].x == 1 && w[0].y == 0 && w[0].z == 1);
+    EXPECT_TRUE(w[1].x == 2 && w[1].y == -1 && w[1].z == 1);
 }
 
 TEST(LoadView, AnOrdinaryViewIsHeldAtEveryWidth) {

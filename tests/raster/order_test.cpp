@@ -1,4 +1,4 @@
-// The frame is the least (Z, intensity) of its samples: no order of patches or samples, and no
+// The frame is the min (Z, intensity) of its samples: no order of patches or samples, and no
 // block left out as hidden, changes a bit.
 #include "tests/fixed/boundary.hpp"
 #include "tests/support/buffers.hpp"
@@ -90,6 +90,66 @@ TEST_P(Order, LeavingOutHiddenBlocksChangesNothing) {
     EXPECT_GT(skipping.hidden_blocks, all.blocks / 5) << "something is hidden";
     EXPECT_EQ(all.hidden_blocks, 0u);
     EXPECT_EQ(skipping.blocks + skipping.hidden_blocks, all.blocks);
+}
+
+// Planes that coincide, drawn bright first: each block of the second is as near as what hides it,
+// and its smaller intensities must win. In perspective depths tie as well: it is the same patch.
+TEST(HiddenBlocks, AreNotThoseThatTie) {
+    for (const bool perspective : {false, true}) {
+        for (const double lean : {0.0, 0.3}) {
+            for (const Sampling sampling : {Sampling::centre, Sampling::leaf}) {
+                hw::MachineSpec spec;
+                spec.xy_bits = 8;
+                spec.coefficient_bits = 24;
+                const View view = perspective ? umbra78::test::perspective(0, 0, 2, 6, 1, 12)
+                                              : umbra78::test::orthographic(0, 0, 2);
+                const View light = umbra78::test::orthographic(-20, 10, 2);
+                Patches patches(2, plane_patch(umbra78::test::plane({-3, -3, 0.01}, {6, 0, lean},
+                                                                    {0, 6, 0})));
+                patches[1].material = 1;
+                Drawing<> stage(spec), dark(spec);
+                stage.materials = dark.materials = {{200, 0, 0}, {100, 0, 0}};
+                const DrawCounts both = stage.draw(patches, view, sampling, &light);
+                dark.draw({patches[1]}, view, sampling, &light);
+                EXPECT_EQ(both.hidden_blocks, 0u) << "nothing is behind its equal";
+                expect_equal_buffers("depth", 256, dark.depth(), stage.depth());
+                expect_equal_buffers("intensity", 256, dark.intensity(), stage.intensity());
+            }
+        }
+    }
+}
+
+// Nearest control points decide; equal ones keep the order of their indices.
+TEST(FrontToBack, OrdersByTheNearestControlPointAndThenByIndex) {
+    Random random;
+    const View view = umbra78::test::orthographic(33, 21, 2);
+    for (int n = 0; n < 200; ++n) {
+        Patches patches(1 + random.bits() % 40);
+        for (Patch& p : patches)
+            for (World& c : p.control)
+                c = {static_cast<std::int32_t>(random.between(-2, 2)) * 65536,
+                     static_cast<std::int32_t>(random.between(-2, 2)) * 65536, 65536};
+        std::vector<std::uint32_t> order(patches.size());
+        std::vector<std::int64_t> scratch(patches.size());
+        order_front_to_back(patches, view, order, scratch);
+        const auto nearest = [&](std::uint32_t k) {
+            std::int64_t near = INT64_MIN;
+            for (const World& c : patches[k].control)
+                near = std::max(near, std::int64_t{view.axes.back[0]} * c.x +
+                                          std::int64_t{view.axes.back[1]} * c.y +
+                                          std::int64_t{view.axes.back[2]} * c.z);
+            return near;
+        };
+        std::vector<bool> seen(patches.size());
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            seen[order[k]] = true;
+            if (k == 0) continue;
+            const std::int64_t a = nearest(order[k - 1]), b = nearest(order[k]);
+            ASSERT_TRUE(a > b || (a == b && order[k - 1] < order[k]));
+        }
+        ASSERT_EQ(std::count(seen.begin(), seen.end(), true),
+                  static_cast<std::ptrdiff_t>(seen.size()));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

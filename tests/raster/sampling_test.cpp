@@ -2,7 +2,7 @@
 // Z codes at the ends of their range.
 #include "raster/sampling.hpp"
 
-#include "tests/raster/exact_surface.hpp"
+#include "tests/raster/exact_drawing.hpp"
 #include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
@@ -100,6 +100,109 @@ TEST(TriangleDepth, IsTheExactPlaneWithinAndClampedInTheSlack) {
     EXPECT_GT(within, cases / 20);
     EXPECT_GT(in_slack, cases / 40);
     EXPECT_GT(outside, cases / 20);
+}
+
+// Triangles of any size that corners of 31 bits can make, which no 32-bit edge function holds; the
+// widest that one does; and one unit wider. In place and in depth they reach the ends of the words.
+TEST(TriangleDepth, IsExactForTrianglesOfAnySize) {
+    Random random;
+    int covered = 0, clamped = 0;
+    for (int n = 0; n < umbra78::test::effort(200000); ++n) {
+        const std::int64_t reach = std::int64_t{1} << random.between(12, 29);
+        std::array<Corner, 3> t{};
+        const auto word = [&](std::int64_t size) {
+            return static_cast<std::int32_t>(random.between(-size, size));
+        };
+        const std::int64_t rise = std::int64_t{1} << random.between(0, 30);
+        for (Corner& c : t) c = {word(reach), word(reach), word(rise - 1)};
+        if (n % 4 == 0) {  // as wide as the limit, at its ends, and one more
+            const std::int32_t wide = max_triangle + static_cast<std::int32_t>(n / 4 % 3) - 1;
+            t[0] = {-5, -7, t[0].z};
+            t[1] = {-5 + wide, random.bits() % 2 == 0 ? -7 : -7 + wide, t[1].z};
+            t[2] = {-5 + static_cast<std::int32_t>(random.bits() % 3), -7 + wide, t[2].z};
+        }
+        const auto& [a, b, c] = t;
+        const auto [x0, x1] = std::minmax({a.x, b.x, c.x});
+        const auto [y0, y1] = std::minmax({a.y, b.y, c.y});
+        auto x = static_cast<std::int32_t>(random.between(x0 - 130, x1 + 130));
+        auto y = static_cast<std::int32_t>(random.between(y0 - 130, y1 + 130));
+        if (n % 3 == 0) {  // next to a corner, or to an edge's middle
+            x = (n % 2 == 0 ? a.x : a.x / 2 + b.x / 2) + word(130);
+            y = (n % 2 == 0 ? a.y : a.y / 2 + b.y / 2) + word(130);
+        }
+        const auto point = [](const Corner& p) { return ExactPoint{p.x, p.y, p.z}; };
+        const auto expected = exact_depth(point(a), point(b), point(c), {x, y, 0});
+        std::int64_t z = 0;
+        ASSERT_EQ(triangle_depth(a, b, c, x, y, z), expected.has_value()) << "case " << n;
+        if (!expected) continue;
+        ASSERT_TRUE(z == *expected) << "case " << n;
+        ++covered;
+        clamped += z == std::min({a.z, b.z, c.z}) || z == std::max({a.z, b.z, c.z}) ? 1 : 0;
+    }
+    EXPECT_GT(covered, 10000);
+    EXPECT_GT(clamped, 100);
+}
+
+// The block rule's promise in an orthographic view: no leaf is wider than a pixel, whatever the
+// corrections, even where slopes and bends are at their limits.
+TEST(BlockRule, DrawsNoLeafWiderThanItsLimit) {
+    Random random;
+    std::int64_t widest = 0;
+    int drawn = 0;
+    for (int n = 0; n < umbra78::test::effort(20000); ++n) {
+        std::array<Component, 3> block{};
+        const std::int64_t slope = random.between(0, max_slope), bend = random.between(0, 6000);
+        for (Component& c : block) {
+            const std::int64_t u = random.between(-slope, slope), v = slope - std::abs(u);
+            c.f = {0, u, v, u + v};
+            for (auto* g : {&c.gu, &c.gv, &c.guv})
+                for (std::int64_t& word : *g) word = random.between(-bend, bend);
+        }
+        // As large as the rule still draws.
+        const hw::MachineSpec spec;
+        const auto action = [&] {
+            return block_action({bounds(block[0]), bounds(block[1]), bounds(block[2])}, spec);
+        };
+        while (action() != BlockAction::draw)
+            for (Component& c : block)
+                for (auto* field : {&c.f, &c.gu, &c.gv, &c.guv})
+                    for (std::int64_t& word : *field) word = word * 63 / 64;
+        Corners g;
+        expand<std::int32_t, 3>(block, g);
+        for (std::size_t c = 0; c < 2; ++c)
+            for (std::size_t v = 0; v < leaves; ++v)
+                for (std::size_t u = 0; u < leaves; ++u) {
+                    const auto [low, high] = std::minmax({g[c][v][u], g[c][v][u + 1],
+                                                          g[c][v + 1][u], g[c][v + 1][u + 1]});
+                    widest = std::max<std::int64_t>(widest, high - low);
+                }
+        ++drawn;
+    }
+    EXPECT_LE(widest, max_affine_leaf);
+    EXPECT_GT(widest, max_slope / leaves - 128) << "the limit is reached";
+    std::cout << "[ measured ] widest leaf of " << drawn << " blocks: " << widest << " units\n";
+}
+
+// A corner of a leaf differs from the block's exact surface by max_corner_error units at most.
+TEST(LeafGrid, CornersAreWithinTheirErrorOfTheSurface) {
+    Random random;
+    double worst = 0;
+    for (int n = 0; n < umbra78::test::effort(1000); ++n) {
+        Control p = random_control(random, std::int64_t{1} << random.between(2, 20));
+        for (std::int64_t& c : p) c *= 16;  // the corrections are exact
+        const std::array<Component, 1> block{component_from_bezier(p)};
+        std::array<CornerGrid<std::int64_t>, 1> g;
+        expand<std::int64_t, 1>(block, g);
+        for (std::size_t v = 0; v < corners; ++v)
+            for (std::size_t u = 0; u < corners; ++u) {
+                const Int128 off = g[0][v][u] * sixth_power(16) -
+                                   exact_value(p, static_cast<int>(u), static_cast<int>(v), 16);
+                ASSERT_TRUE((off < 0 ? -off : off) <= max_corner_error * sixth_power(16));
+                worst = std::max(worst, std::abs(static_cast<double>(off)));
+            }
+    }
+    std::cout << "[ measured ] worst error of a leaf's corner "
+              << worst / static_cast<double>(sixth_power(16)) << " units\n";
 }
 
 Corners random_block(Random& random) {

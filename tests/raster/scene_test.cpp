@@ -1,4 +1,5 @@
-// Spheres and planes as patches: how near the sphere they are, and that neighbours share edges.
+// Spheres and planes as patches: their control points word by word, how near the sphere they are,
+// and that neighbours share edges.
 #include "raster/scene.hpp"
 
 #include "tests/raster/exact_surface.hpp"
@@ -74,21 +75,71 @@ TEST(SpherePatches, NeighboursShareTheirEdges) {
     }
 }
 
-TEST(PlanePatch, IsEvenlySpacedWithExactCorners) {
-    const Plane plane{{100, -200, 300}, {3000, 60, -9}, {-1, 70000, 10}, 5};
-    const Patch p = plane_patch(plane);
-    EXPECT_EQ(p.material, 5);
-    EXPECT_EQ(p.control[0], plane.origin);
-    EXPECT_EQ(p.control[3], (World{3100, -140, 291}));
-    EXPECT_EQ(p.control[12], (World{99, 69800, 310}));
-    EXPECT_EQ(p.control[15], (World{3099, 69860, 301}));
-    const auto c = coordinates(p);
-    for (int j = 0; j <= 6; ++j) {
-        for (int i = 0; i <= 6; ++i) {
-            const double u = i / 6.0, v = j / 6.0;
-            EXPECT_NEAR(value(c[0], i, j, 6), 100 + 3000 * u - v, 1);
-            EXPECT_NEAR(value(c[1], i, j, 6), -200 + 60 * u + 70000 * v, 1);
-            EXPECT_NEAR(value(c[2], i, j, 6), 300 - 9 * u + 10 * v, 1);
+std::int32_t mul30(std::int64_t a, std::int64_t b) {
+    return static_cast<std::int32_t>(
+        fixed::test::model_round(Int128{a} * b, Int128{1} << 30, fixed::Rounding::half_even));
+}
+
+// Every control point is that of hw/MACHINE.md, section 3. The handle is 4/3 tan(45/4 degrees) in
+// Q2.30; the sines of multiples of 45 degrees are 0, +-1 and +-sqrt(1/2).
+TEST(SpherePatches, AreTheTextsControlPoints) {
+    const double quarter = 3.14159265358979323846 / 16;
+    const std::int64_t h = std::lround(std::ldexp(4.0 / 3 * std::tan(quarter), 30));
+    const auto s = [](int k) {
+        return std::lround(std::ldexp(std::sin(k * 3.14159265358979323846 / 4), 30));
+    };
+    const auto c = [&](int k) { return s(k + 2); };
+    const auto arc = [&](int k, int i) {
+        switch (i) {
+            case 0: return std::pair{s(k), c(k)};
+            case 1: return std::pair{s(k) + mul30(h, c(k)), c(k) - mul30(h, s(k))};
+            case 2: return std::pair{s(k + 1) + mul30(-h, c(k + 1)),
+                                     c(k + 1) - mul30(-h, s(k + 1))};
+            default: return std::pair{s(k + 1), c(k + 1)};
+        }
+    };
+    for (const Sphere sphere : {Sphere{{0, 0, 0}, 1 << 16, 0}, Sphere{{-68813, 39322, 5}, 47186, 3},
+                                Sphere{{7, -9, 11}, 2000 << 16, 1}, Sphere{{1, 1, 1}, 3, 2}}) {
+        const auto patches = patches_of(sphere);
+        for (int n = 0; n < patches_per_sphere; ++n) {
+            for (int k = 0; k < 16; ++k) {
+                const auto [su, cu] = arc(n % 8, k % 4);
+                const auto [sv, cv] = arc(n / 8 - 2, k / 4);
+                const World expected{sphere.centre.x + mul30(sphere.radius, mul30(su, cv)),
+                                     sphere.centre.y + mul30(sphere.radius, sv),
+                                     sphere.centre.z + mul30(sphere.radius, mul30(cu, cv))};
+                ASSERT_EQ(patches[static_cast<std::size_t>(n)].control[static_cast<std::size_t>(k)],
+                          expected)
+                    << "patch " << n << ", control point " << k << ", radius " << sphere.radius;
+            }
+        }
+    }
+}
+
+// Every control point is that of hw/MACHINE.md, section 3: p + half_even(v j / 3) with
+// p = o + half_even(u i / 3), for every remainder of both signs.
+TEST(PlanePatch, IsTheTextsControlPoints) {
+    fixed::test::Random random;
+    const auto point = [](std::int64_t o, std::int64_t u, std::int64_t v, int i, int j) {
+        const auto part = [](std::int64_t edge, int k) {
+            return static_cast<std::int64_t>(
+                fixed::test::model_round(Int128{edge} * k, 3, fixed::Rounding::half_even));
+        };
+        return static_cast<std::int32_t>(o + part(u, i) + part(v, j));
+    };
+    for (int n = 0; n < 3000; ++n) {
+        const std::int64_t size = std::int64_t{1} << random.between(1, 29);
+        const auto any = [&] { return static_cast<std::int32_t>(random.between(-size, size)); };
+        const Plane plane{{any(), any(), any()}, {any(), any(), any()}, {any(), any(), any()}, 5};
+        const Patch p = plane_patch(plane);
+        ASSERT_EQ(p.material, 5);
+        const auto &o = plane.origin, &u = plane.u, &v = plane.v;
+        for (int k = 0; k < 16; ++k) {
+            const World expected{point(o.x, u.x, v.x, k % 4, k / 4),
+                                 point(o.y, u.y, v.y, k % 4, k / 4),
+                                 point(o.z, u.z, v.z, k % 4, k / 4)};
+            ASSERT_EQ(p.control[static_cast<std::size_t>(k)], expected)
+                << "plane " << n << ", control point " << k;
         }
     }
 }
