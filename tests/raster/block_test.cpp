@@ -1,5 +1,5 @@
-// Catmull's split: bit for bit that of hw/MACHINE.md's text, and against de Casteljau's algorithm in
-// exact integers; the bounds against dense samples.
+// Catmull's split: bit for bit that of hw/MACHINE.md's text, and against de Casteljau's algorithm
+// in exact integers; the bounds against dense samples.
 #include "tests/raster/exact_blocks.hpp"
 #include "tests/support/effort.hpp"
 

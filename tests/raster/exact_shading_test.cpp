@@ -1,5 +1,5 @@
-// Every level is that of hw/MACHINE.md, section 9, bit for bit: random blocks, poles, degenerate and
-// edge-on ones, every shininess, light and viewer at infinity and near.
+// Every level is that of hw/MACHINE.md, section 9, bit for bit: random blocks, poles, degenerate
+// and edge-on ones, every shininess, light and viewer at infinity and near.
 #include "tests/raster/exact_drawing.hpp"
 #include "tests/support/effort.hpp"
 

@@ -1,5 +1,5 @@
-// Views word by word: axes, depth ranges, near and far, and the eye as shading needs it are those of
-// hw/MACHINE.md, sections 4 and 9, in 128-bit integers.
+// Views word by word: axes, depth ranges, near and far, and the eye as shading needs it are those
+// of hw/MACHINE.md, sections 4 and 9, in 128-bit integers.
 #include "fixed/sine.hpp"
 #include "raster/shading.hpp"
 #include "raster/view.hpp"
