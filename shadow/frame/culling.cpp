@@ -51,9 +51,8 @@ struct Extremes {
 };
 
 // Whether a point of the box, dithered, may lie in the light's volume.
-bool may_reach(const WordBox& box, const FrameInputs& in) {
+bool may_reach(const WordBox& box, const FrameInputs& in, const hw::MatrixWords& matrix) {
     const Settings& s = in.settings;
-    const hw::MatrixWords& matrix = in.matrices.observer_to_light;
     if (!matrix.affine && s.machine.divide_order == hw::DivideOrder::round_first) return true;
     const hw::TransformUnit unit(s.machine, matrix);
     Extremes x, y, z;
@@ -75,15 +74,16 @@ bool may_reach(const WordBox& box, const FrameInputs& in) {
 
 }  // namespace
 
-Reach cull(const FrameInputs& in) {
+Reach cull(const FrameInputs& in, std::size_t light) {
+    const LightMatrices& m = in.matrices.lights[light];
     Reach reach;
     for (const raster::Patch& patch : in.scene.patches) {
         Footprint footprint{};
-        if (!seen(patch, in, in.matrices.world_to_light, footprint)) ++reach.outside_light;
+        if (!seen(patch, in, m.world_to_light, footprint)) ++reach.outside_light;
         if (!seen(patch, in, in.matrices.world_to_observer, footprint)) {
             ++reach.outside_observer;
         } else if (!reach.into_light) {
-            reach.into_light = may_reach(word_box(footprint, in.settings), in);
+            reach.into_light = may_reach(word_box(footprint, in.settings), in, m.observer_to_light);
         }
     }
     return reach;

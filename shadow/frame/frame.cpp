@@ -1,241 +1,145 @@
 #include "shadow/frame/frame.hpp"
 
-#include "shadow/ap120b/post_process.hpp"
-#include "shadow/correct_form.hpp"
+#include "raster/sinks.hpp"
 #include "shadow/filters/composite.hpp"
 #include "shadow/filters/low_pass.hpp"
+#include "shadow/frame/drawing.hpp"
 
 #include <algorithm>
-#include <new>
 
 namespace umbra78::shadow {
 namespace {
 
-// Carves aligned pieces off one span; with no memory it only adds up.
-class Carver {
-public:
-    explicit Carver(std::byte* base) : base_(base) {}
-
-    template <class T>
-    std::span<T> take(std::size_t count) {
-        constexpr std::size_t line = 64;
-        used_ = (used_ + line - 1) / line * line;
-        T* at = base_ == nullptr ? nullptr : reinterpret_cast<T*>(base_ + used_);
-        used_ += count * sizeof(T);
-        return {at, at == nullptr ? 0 : count};
-    }
-    std::size_t used() const { return used_; }
-
-private:
-    std::byte* base_;
-    std::size_t used_ = 0;
-};
-
-template <class Depth>
-FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::size_t patches) {
-    const std::size_t pixels = std::size_t{1} << (2 * spec.xy_bits);
-    FrameBuffers<Depth> f;
-    f.observer = {spec.xy_bits, carver.take<Depth>(pixels), carver.take<std::uint8_t>(pixels)};
-    f.light = {spec.xy_bits, carver.take<Depth>(pixels), {}};
-    f.mask = carver.take<std::uint8_t>(pixels);
-    f.edges = carver.take<std::uint8_t>(pixels);
-    f.filtered = carver.take<std::uint8_t>(pixels);
-    f.picture = carver.take<std::uint8_t>(pixels);
-    f.edge_memory = {carver.take<std::uint32_t>(edge_visited_words(spec.xy_bits)),
-                     carver.take<std::int16_t>(edge_coverage_words(spec.xy_bits))};
-    f.order = carver.take<std::uint32_t>(patches);
-    f.nearest = carver.take<std::int64_t>(patches);
-    f.draw = carver.take<raster::DrawMemory>(1).data();
-    f.rows = carver.take<RowMemory>(1).data();
-    return f;
-}
-
-raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan,
-                             const hw::MatrixWords& matrix) {
-    const hw::WordFormat object = in.matrices.object;
-    return {in.settings.machine,
-            matrix,
-            object,
-            in.settings.sampling,
-            in.scene.materials,
-            {in.settings.ambient_q8, raster::toward_eye(in.scene.light, object),
-             raster::toward_eye(in.scene.observer, object)},
-            plan.unit_work()};
-}
-
-// Bytes that no stage leaves anything in: where work is done for nothing.
+// Memory that holds no result: for work whose result nobody reads.
 template <class Depth>
 std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame) {
     const std::span coverage = frame.edge_memory.coverage;
-    return {reinterpret_cast<std::uint8_t*>(coverage.data()), frame.mask.size()};
+    return {reinterpret_cast<std::uint8_t*>(coverage.data()), frame.picture.size()};
 }
 
-// The scene's patches by depth; a frame carved for more of them has room to spare.
-template <class Depth>
-std::span<const std::uint32_t> front_to_back(const Scene& scene, const raster::View& view,
-                                             FrameBuffers<Depth>& frame) {
-    const std::size_t n = scene.patches.size();
-    fixed::require(n <= frame.order.size(), "frame carved for fewer patches than the scene has");
-    const std::span order = frame.order.first(n);
-    raster::order_front_to_back(scene.patches, view, order, frame.nearest);
-    return order;
-}
-
-// Draws into what the store holds, each sample replacing or not.
-template <class Depth, class Sink>
-raster::DrawCounts draw_view(const FrameInputs& in, const FramePlan& plan, const raster::View& view,
-                             const hw::MatrixWords& matrix, FrameBuffers<Depth>& frame,
-                             Sink& sink) {
-    const std::span order = front_to_back(in.scene, view, frame);
-    return raster::draw(in.scene.patches, order, draw_setup(in, plan, matrix), *frame.draw, sink);
-}
-
-// Where Z stands still it is drawn upon once more for the intensities: only what lies at the
-// stored depth competes, from the greatest level down, and comes out as it would have.
+// Where Z is kept and the intensities are drawn anew: they start from the greatest level, and only
+// samples at the stored depth compete, so that each comes out as in a frame drawn anew.
 template <class Depth>
 void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store) {
     for (std::size_t k = 0; k < store.depth.size(); ++k)
         store.intensity[k] = store.depth[k] == spec.background() ? 0 : 255;
 }
 
-PostProcessWork work_of(const FramePlan& plan) {
-    return {plan.unit_work(), !plan.leaves_out(Omission::background_pixels),
-            !plan.leaves_out(Omission::noise)};
+void copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
+    std::copy(from.begin(), from.end(), to.begin());
 }
 
-}  // namespace
+void light_up(std::span<std::uint8_t> mask) { std::fill(mask.begin(), mask.end(), mask_lit); }
 
 template <class Depth>
-std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches) {
-    Carver carver(nullptr);
-    lay_out<Depth>(carver, spec, patches);
-    return carver.used();
-}
-
-template <class Depth>
-FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
-                          std::size_t patches) {
-    Carver carver(memory.data());
-    FrameBuffers<Depth> f = lay_out<Depth>(carver, spec, patches);
-    fixed::require(carver.used() <= memory.size(), "frame memory smaller than frame_bytes");
-    new (f.draw) raster::DrawMemory;
-    new (f.rows) RowMemory;
-    return f;
-}
-
-template <class Depth>
-void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
-                FrameCounts& counts) {
-    if (plan.leaves_out(Omission::same_light_map)) return;
-    counts.light = {};
-    frame.light.clear(in.settings.machine);
-    if (plan.leaves_out(Omission::light_map)) return;
+void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+              FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    if (plan.leaves_out(Omission::same_light_map, l)) return;
+    hw::FrameStore<Depth>& map = frame.lights[l].map;
+    counts.lights[l].map = {};
+    map.clear(in.settings.machine);
+    if (plan.leaves_out(Omission::light_map, l)) return;
     const auto into = [&](auto sink) {
-        counts.light =
-            draw_view(in, plan, in.scene.light, in.matrices.world_to_light, frame, sink);
+        counts.lights[l].map = draw_view(in, plan, in.scene.lights[l],
+                                         in.matrices.lights[l].world_to_light, frame, sink);
     };
-    if (plan.leaves_out(Omission::light_shading)) {
-        into(raster::DepthSink<Depth>{frame.light});
+    if (plan.leaves_out(Omission::light_shading, l)) {
+        into(raster::DepthSink<Depth>{map});
         return;
     }
-    hw::FrameStore<Depth> shaded = frame.light;
+    hw::FrameStore<Depth> shaded = map;
     shaded.intensity = scratch(frame);
     into(raster::PictureSink<Depth>{shaded});
 }
 
 template <class Depth>
+void filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+            FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    const Settings& settings = in.settings;
+    const auto none = static_cast<Depth>(settings.machine.background());
+    LightBuffers<Depth>& light = frame.lights[l];
+    copy(light.mask, light.edges);
+    counts.lights[l].chain_steps = 0;
+    if (!plan.leaves_out(Omission::dequantize, l))
+        counts.lights[l].chain_steps =
+            dequantize<Depth>(light.mask, frame.observer, none, settings.dequantize_passes,
+                              frame.edge_memory, light.edges);
+    copy(light.edges, light.filtered);
+    if (plan.leaves_out(Omission::low_pass, l)) return;
+    for (int pass = 0; pass < settings.low_pass_passes; ++pass) {
+        // The picture's plane is free until the composite.
+        low_pass<Depth>(light.filtered, frame.observer, none, frame.picture);
+        copy(frame.picture, light.filtered);
+    }
+    if (settings.low_pass_passes == 0)  // not left out: a pass whose result nobody reads
+        low_pass<Depth>(light.filtered, frame.observer, none, scratch(frame));
+}
+
+}  // namespace
+
+template <class Depth>
+void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
+                FrameCounts& counts) {
+    require_fits(in, frame);
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) draw_map(in, plan, l, frame, counts);
+}
+
+template <class Depth>
 void draw_observer(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                    FrameCounts& counts) {
+    require_fits(in, frame);
     if (plan.leaves_out(Omission::same_observer)) return;
-    const Settings& settings = in.settings;
-    const auto into = [&](auto sink) {
-        counts.observer =
-            draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame, sink);
-    };
-    const bool correct = settings.form == Form::correct;
-    if (correct) std::fill(frame.mask.begin(), frame.mask.end(), mask_lit);
-    if (!correct || plan.leaves_out(Omission::post_process)) {
-        if (plan.leaves_out(Omission::same_depth)) {
-            clear_intensities(settings.machine, frame.observer);
-        } else {
-            frame.observer.clear(settings.machine);
-        }
-        into(raster::PictureSink<Depth>{frame.observer});
+    const hw::MachineSpec& machine = in.settings.machine;
+    const Method& method = method_of(in);
+    bool tested = false;  // in this drawing
+    for (std::size_t l = 0; method.tests_when_drawn() && l < in.scene.light_count; ++l) {
+        light_up(frame.lights[l].mask);
+        tested = tested || !plan.leaves_out(Omission::post_process, l);
+    }
+    if (!tested && plan.leaves_out(Omission::same_depth)) {
+        clear_intensities(machine, frame.observer);
+    } else {
+        frame.observer.clear(machine);
+    }
+    if (tested) {
+        method.stages<Depth>().draw(in, plan, frame, counts);
         return;
     }
-    frame.observer.clear(settings.machine);
-    const hw::TransformUnit unit(settings.machine, in.matrices.observer_to_light,
-                                 plan.unit_work());
-    const LightMap<Depth> map{frame.light, settings.machine, settings.lookup,
-                              settings.background};
-    into(CorrectSink<Depth>(frame.observer, map, unit, settings, frame.mask,
-                            work_of(plan).noise));
+    raster::PictureSink<Depth> sink{frame.observer};
+    counts.observer = draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame,
+                                sink);
 }
 
 template <class Depth>
 void cast_shadows(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                   FrameCounts& counts) {
-    if (plan.leaves_out(Omission::same_mask)) return;
-    if (plan.leaves_out(Omission::post_process)) {
-        counts.post_process = {};
-        std::fill(frame.mask.begin(), frame.mask.end(), mask_lit);
-        return;
-    }
-    if (in.settings.form == Form::correct) {  // done point by point; the mask is there
-        counts.post_process.visible = counts.observer.samples;
-        counts.post_process.shadowed = static_cast<std::uint64_t>(
-            std::count(frame.mask.begin(), frame.mask.end(), mask_shadow));
-        return;
-    }
-    const hw::MatrixWords& matrix = in.matrices.observer_to_light;
-    if (in.settings.arithmetic == Arithmetic::ap120b) {
-        counts.post_process = array_post_process(frame.observer, frame.light, in.matrices.array,
-                                                 matrix.affine, in.settings, frame.mask);
-        return;
-    }
-    if constexpr (sizeof(Depth) == sizeof(hw::Depth16)) {
-        if (work_of(plan) == needed_work(in.settings) && rows_cover(in.settings, matrix)) {
-            counts.post_process = post_process_rows(frame.observer, frame.light, matrix,
-                                                    in.settings, *frame.rows, frame.mask);
-            return;
+    require_fits(in, frame);
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
+        if (plan.leaves_out(Omission::same_mask, l)) continue;
+        if (plan.leaves_out(Omission::post_process, l)) {
+            counts.lights[l].post_process = {};
+            light_up(frame.lights[l].mask);
+        } else {
+            method_of(in).stages<Depth>().cast(in, plan, l, frame, counts);
         }
     }
-    counts.post_process = post_process(frame.observer, frame.light, matrix, in.settings,
-                                       work_of(plan), frame.mask);
 }
 
 template <class Depth>
 void filter_and_composite(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                           FrameCounts& counts) {
+    require_fits(in, frame);
     if (plan.leaves_out(Omission::same_picture)) return;
-    const Settings& settings = in.settings;
-    const auto none = static_cast<Depth>(settings.machine.background());
-    const auto copy = [](std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
-        std::copy(from.begin(), from.end(), to.begin());
-    };
-    copy(frame.mask, frame.edges);
-    counts.chain_steps = 0;
-    if (!plan.leaves_out(Omission::dequantize))
-        counts.chain_steps = dequantize<Depth>(frame.mask, frame.observer, none,
-                                               settings.dequantize_passes, frame.edge_memory,
-                                               frame.edges);
-    copy(frame.edges, frame.filtered);
-    if (!plan.leaves_out(Omission::low_pass)) {
-        for (int pass = 0; pass < settings.low_pass_passes; ++pass) {
-            // The picture's plane is free until the composite.
-            low_pass<Depth>(frame.filtered, frame.observer, none, frame.picture);
-            copy(frame.picture, frame.filtered);
-        }
-        if (settings.low_pass_passes == 0)  // a pass whose result nobody takes
-            low_pass<Depth>(frame.filtered, frame.observer, none, scratch(frame));
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) filter(in, plan, l, frame, counts);
+    // A shadow that is in the shading already darkens nothing more.
+    const int density = method_of(in).tests_when_drawn() ? 0 : in.settings.density_q8;
+    std::span<const std::uint8_t> picture = frame.observer.intensity;
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
+        if (plan.leaves_out(Omission::composite, l)) continue;
+        composite(picture, frame.lights[l].filtered, density, frame.picture);
+        picture = frame.picture;
     }
-    if (plan.leaves_out(Omission::composite)) {
-        copy(frame.observer.intensity, frame.picture);
-        return;
-    }
-    // In the correct form the shadow is in the shading already: nothing more is darkened.
-    const int density = settings.form == Form::correct ? 0 : settings.density_q8;
-    composite(frame.observer.intensity, frame.filtered, density, frame.picture);
+    if (picture.data() != frame.picture.data()) copy(picture, frame.picture);
 }
 
 template <class Depth>
@@ -260,9 +164,6 @@ FrameStatus render(const Scene& scene, const Settings& settings, FrameBuffers<De
 #define UMBRA78_STAGE(Depth, stage) \
     template void stage(const FrameInputs&, const FramePlan&, FrameBuffers<Depth>&, FrameCounts&);
 #define UMBRA78_FRAME(Depth)                                                                      \
-    template std::size_t frame_bytes<Depth>(const hw::MachineSpec&, std::size_t);                 \
-    template FrameBuffers<Depth> carve(std::span<std::byte>, const hw::MachineSpec&,              \
-                                       std::size_t);                                              \
     UMBRA78_STAGE(Depth, draw_light)                                                              \
     UMBRA78_STAGE(Depth, draw_observer)                                                           \
     UMBRA78_STAGE(Depth, cast_shadows)                                                            \

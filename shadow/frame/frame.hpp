@@ -1,56 +1,23 @@
-// One frame, from patches and two views to a picture with shadows: the whole pipeline in order.
+// One frame, from patches and views to a picture with shadows: the whole pipeline in order.
 //
-//   light's view (Z) -> observer's view (Z, intensity) -> post-process (mask)
+//   light's view (Z) -> observer's view (Z, intensity) -> method's test (mask)
 //     -> edge dequantizing -> low-pass -> translucent composite
 //   or, in the correct form: light's view -> observer's view, tested point by point
 //
-// The core allocates nothing: the caller hands in one piece of memory of frame_bytes() (under
-// 3 MiB for 512 x 512 with 16-bit Z) and finds every stage's buffer in it afterwards. What a plan
-// leaves out changes none of them; what it keeps must be there from the frame before. Stages run
-// one at a time as well.
+// The core allocates nothing: the caller hands in one piece of memory of frame_bytes() and finds
+// every stage's buffer in it afterwards. What a plan leaves out changes none of them; what it keeps
+// must be in the buffers from the frame before. The stages can be run one at a time.
 #pragma once
 
-#include "shadow/filters/dequantize.hpp"
+#include "shadow/frame/buffers.hpp"
 #include "shadow/frame/inputs.hpp"
+#include "shadow/frame/methods.hpp"
 #include "shadow/frame/plan.hpp"
-#include "shadow/post_process.hpp"
-
-#include <cstddef>
-#include <cstdint>
-#include <span>
 
 namespace umbra78::shadow {
 
-// Buffers of a frame, size_px^2 words each, carved from the caller's memory.
-template <class Depth>
-struct FrameBuffers {
-    hw::FrameStore<Depth> observer, light;
-    std::span<std::uint8_t> mask;      // 255 in shadow, as compared
-    std::span<std::uint8_t> edges;     // after dequantizing; = mask where that is off
-    std::span<std::uint8_t> filtered;  // after the low-pass; = edges where that is off
-    std::span<std::uint8_t> picture;
-    EdgeMemory edge_memory;
-    std::span<std::uint32_t> order;    // a word a patch
-    std::span<std::int64_t> nearest;   // a word a patch
-    raster::DrawMemory* draw = nullptr;
-    RowMemory* rows = nullptr;
-};
-
-template <class Depth>
-std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches);
-
-// `memory` has frame_bytes() bytes, aligned to 64.
-template <class Depth>
-FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
-                          std::size_t patches);
-
-struct FrameCounts {
-    raster::DrawCounts light, observer;
-    PostProcessCounts post_process;  // correct form: visible is every generated point
-    std::uint64_t chain_steps = 0;
-};
-
-// The stages, each needing those before it.
+// The stages, each needing those before it. Each traps if the buffers were carved for other widths
+// than the settings have, or for fewer patches than the scene has.
 template <class Depth>
 void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                 FrameCounts& counts);
@@ -69,7 +36,8 @@ template <class Depth>
 void draw_frame(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                 FrameCounts& counts);
 
-// Matrices, plan and all stages, whatever the buffers hold.
+// Matrices, plan and all stages; nothing is kept of what the buffers held. Draws nothing unless it
+// returns ok.
 template <class Depth>
 FrameStatus render(const Scene& scene, const Settings& settings, FrameBuffers<Depth>& frame,
                    FrameMatrices& matrices, FrameCounts& counts);

@@ -1,28 +1,47 @@
 #include "shadow/frame/inputs.hpp"
 
-#include "shadow/ap120b/post_process.hpp"
+#include "shadow/frame/methods.hpp"
 
 namespace umbra78::shadow {
+namespace {
+
+FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settings,
+                       FrameMatrices& out) {
+    using enum FrameStatus;
+    const hw::MachineSpec& spec = settings.machine;
+    const raster::View& light = scene.lights[l];
+    LightMatrices& m = out.lights[l];
+    m.array = {};
+    if (raster::load_view(light, spec, out.object, m.world_to_light) != hw::LoadStatus::ok)
+        return light_matrix;
+    if (!bias_in_quanta(settings.bias_q16, settings.bias_unit, bias_units(light, spec),
+                        m.bias_quanta_q16))
+        return bias_out_of_range;
+    const hw::RationalMatrix exact =
+        raster::observer_to_light(scene.observer, light, spec, m.bias_quanta_q16);
+    if (hw::load_matrix(exact, spec, hw::screen_words(spec), m.observer_to_light) !=
+        hw::LoadStatus::ok)
+        return shadow_matrix;
+    const Method& method = *method_of(settings);
+    if (method.load != nullptr) method.load(exact, settings, m);
+    return ok;
+}
+
+}  // namespace
 
 FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMatrices& out) {
     using enum FrameStatus;
     const hw::MachineSpec& spec = settings.machine;
-    if (hw::check(spec) != hw::SpecStatus::ok || !array_can(settings)) return spec_out_of_range;
+    fixed::require(scene.light_count <= max_lights, "scene with more than max_lights lights");
+    if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
     out.object = raster::object_format(scene.patches);
-    const auto load = [&](const raster::View& view, hw::MatrixWords& words) {
-        return raster::load_view(view, spec, out.object, words) == hw::LoadStatus::ok;
-    };
-    if (!load(scene.observer, out.world_to_observer)) return observer_matrix;
-    if (!load(scene.light, out.world_to_light)) return light_matrix;
-    if (!bias_in_quanta(settings.bias_q16, settings.bias_unit, bias_units(scene.light, spec),
-                        out.bias_quanta_q16))
-        return bias_out_of_range;
-    const hw::RationalMatrix exact = raster::observer_to_light(scene.observer, scene.light, spec,
-                                                               out.bias_quanta_q16);
-    if (hw::load_matrix(exact, spec, hw::screen_words(spec), out.observer_to_light) !=
+    if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=
         hw::LoadStatus::ok)
-        return shadow_matrix;
-    if (settings.arithmetic == Arithmetic::ap120b) out.array = array_matrix(exact, settings);
+        return observer_matrix;
+    for (std::size_t l = 0; l < scene.light_count; ++l) {
+        const FrameStatus status = load_light(scene, l, settings, out);
+        if (status != ok) return status;
+    }
     return ok;
 }
 

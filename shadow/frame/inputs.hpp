@@ -1,4 +1,8 @@
-// What a frame is made from: a scene, settings, and the matrices loaded from both.
+// What a frame is made from: a scene, settings, the matrices loaded from both, and the method that
+// decides what is in shadow.
+//
+// A frame has an observer and up to max_lights lights. Whatever belongs to a light (its view, its
+// matrices, its buffers, its part of the plan) is an element of an array of max_lights.
 #pragma once
 
 #include "hw/ap120b/transform.hpp"
@@ -6,40 +10,56 @@
 #include "shadow/bias.hpp"
 #include "shadow/frame/settings.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace umbra78::shadow {
 
+struct Method;
+
+inline constexpr std::size_t max_lights = 1;
+
 struct Scene {
     std::span<const raster::Patch> patches;
     std::span<const raster::Material> materials;
-    raster::View observer, light;  // a perspective "view" is a point light at its eye
+    raster::View observer;
+    std::array<raster::View, max_lights> lights;  // a view in perspective: a point light at its eye
+    std::size_t light_count = 1;
 };
 
 enum class FrameStatus : std::uint8_t {
     ok,
-    spec_out_of_range,      // a width outside its range (hw::check), or the AP-120B's
-    observer_matrix,        // a coefficient of world -> observer outside the exponent's range
+    spec_out_of_range,  // a width outside its range (hw::check), or what the method cannot do
+    observer_matrix,    // a coefficient of world -> observer outside the exponent's range
     light_matrix,
     shadow_matrix,
     bias_out_of_range,
 };
 
-// The matrices of a frame, rounded to the unit's words.
+// A light's matrices, rounded to the unit's words.
+struct LightMatrices {
+    hw::MatrixWords world_to_light, observer_to_light;
+    std::int64_t bias_quanta_q16;
+    hw::ap120b::Matrix array;  // observer to light in the AP-120B's words; 0 on the fixed machine
+};
+
 struct FrameMatrices {
     hw::WordFormat object;
-    hw::MatrixWords world_to_observer, world_to_light, observer_to_light;
-    std::int64_t bias_quanta_q16;
-    hw::ap120b::Matrix array;  // observer to light again, where that is the arithmetic
+    hw::MatrixWords world_to_observer;
+    std::array<LightMatrices, max_lights> lights;
 };
+
+// Rounds all matrices of a frame; `out` is complete only if it returns ok.
 FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMatrices& out);
 
-// All of it, as a plan is made from it. The scene's spans are the caller's.
+// What a plan and the stages read. The scene's spans are the caller's.
 struct FrameInputs {
     Scene scene;
     Settings settings;
     FrameMatrices matrices;
+    const Method* method = nullptr;  // null: the settings' own, method_of(settings)
 };
 
 }  // namespace umbra78::shadow

@@ -1,6 +1,7 @@
 #include "shadow/frame/ledger.hpp"
 
 #include "raster/drawing_cost.hpp"
+#include "shadow/frame/filter_cost.hpp"
 
 #include <algorithm>
 
@@ -14,62 +15,37 @@ struct CountingSink {
     void sample(const raster::Sample&, std::uint32_t, const raster::BlockShading*) {}
 };
 
-// Operations of the filters; the counts are those of hw/MACHINE.md, section 16.
-constexpr hw::Operations chain_step(int passes) {
-    // Followed by four reads; 1-2-1 averages of X and Y; of every second step sixteen crossings,
-    // each a product, a quotient of 16 bits and two cells read and written.
-    const auto p = static_cast<std::uint64_t>(passes);
-    return {6 + 6 * p + 8 * 6, 8, 8, 8, 8 * 16, 4 + 8 * 4};
-}
-constexpr hw::Operations coverage_pixel{3, 1, 1, 0, 0, 2};
-constexpr hw::Operations low_pass_pixel{12, 0, 0, 0, 0, 10};
-constexpr hw::Operations composite_pixel{2, 2, 2, 1, 10, 3};
-
-PhaseLedger phase(const hw::Operations& o, const Settings& s) {
-    if (s.arithmetic == Arithmetic::ap120b)
-        return {o, hw::ap120b_cycles(o, s.array_memory == hw::ap120b::MemorySpeed::fast ? 1 : 2)};
-    return {o, hw::unit_cycles(o, s.machine)};
+PhaseLedger phase(const hw::Operations& o, const FrameInputs& in) {
+    return {o, method_of(in).units(o, in.settings)};
 }
 
-PhaseLedger drawing(const Scene& scene, const Settings& s, const FrameMatrices& matrices,
-                    const hw::MatrixWords& matrix, raster::DrawMemory& memory, bool shades,
-                    raster::DrawCounts& counts) {
+PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
+                    raster::DrawMemory& memory, bool shades, raster::DrawCounts& counts) {
     CountingSink sink;
-    const raster::DrawSetup setup{s.machine, matrix, matrices.object, s.sampling,
-                                  scene.materials, {}};
-    counts = raster::draw(scene.patches, {}, setup, memory, sink);
-    return phase(raster::drawing_operations(counts, s.machine, matrix.affine, s.sampling, shades,
-                                            max_shininess(scene)),
-                 s);
+    const raster::DrawSetup setup{in.settings.machine,     matrix,
+                                  in.matrices.object,      in.settings.sampling,
+                                  in.scene.materials, {}};
+    counts = raster::draw(in.scene.patches, {}, setup, memory, sink);
+    return phase(drawing_operations(in, matrix, counts, shades), in);
 }
 
 void name_stages(PostProcessLedger& l, const PostProcessPipeline& plan) {
-    hw::StageList chain;
-    plan.transform.add_stages(chain);
-    const int divide = chain.stages();
-    if (plan.divides) plan.divide.add_stages(chain);
-    const int lookup = chain.stages();
-    add_lookup_stages(chain, plan.lookup);
-    const int write = chain.stages();
-    chain.add("write");
+    hw::StageList list;
+    plan.transform.add_stages(list);
+    const int divide = list.stages();
+    if (plan.divides) plan.divide.add_stages(list);
+    const int lookup = list.stages();
+    add_lookup_stages(list, plan.lookup);
+    const int write = list.stages();
+    list.add("write");
     l.rows[0] = {Unit::reader, "read", plan.read_cycles};
-    for (int k = 0; k < chain.stages(); ++k)
-        l.rows[std::size_t(k) + 1] = {k < divide   ? Unit::transform
-                                      : k < lookup ? Unit::divider
-                                      : k < write  ? Unit::lookup
-                                                   : Unit::writer,
-                                      chain.name(k), chain.stay(k)};
-    l.count = chain.stages() + 1;
-}
-
-// The correct form sends each generated point through the same stages, at the slots' pace.
-Schedule correct_form_schedule(std::uint64_t samples, const PostProcessPipeline& plan) {
-    Schedule s;
-    s.visible = s.pixels = samples;
-    if (samples > 0)
-        s.last_issue = (samples - 1) * static_cast<std::uint64_t>(
-                                           std::max(plan.slot_cycles, plan.read_cycles));
-    return s;
+    for (int k = 0; k < list.stages(); ++k)
+        l.rows[static_cast<std::size_t>(k) + 1] = {k < divide   ? Unit::transform
+                                                   : k < lookup ? Unit::divider
+                                                   : k < write  ? Unit::lookup
+                                                                : Unit::writer,
+                                                   list.name(k), list.stay(k)};
+    l.count = list.stages() + 1;
 }
 
 }  // namespace
@@ -129,7 +105,8 @@ PostProcessLedger ledger_of(const ClockedPostProcess<Depth>& machine) {
 }
 
 std::string_view FrameLedger::bottleneck() const {
-    return on_array ? array.longest().name : post_process.bottleneck().stage;
+    if (on_array) return array.longest().name;
+    return test.units.side_by_side() > 0 ? test.units.busiest() : post_process.bottleneck().stage;
 }
 
 std::uint64_t FrameLedger::filters(bool overlap) const {
@@ -141,44 +118,42 @@ std::uint64_t FrameLedger::total(bool overlap) const {
            filters(overlap);
 }
 
+hw::Operations drawing_operations(const FrameInputs& in, const hw::MatrixWords& view,
+                                  const raster::DrawCounts& counts, bool shades) {
+    return raster::drawing_operations(counts, in.settings.machine, view.affine,
+                                      in.settings.sampling, shades, max_shininess(in.scene));
+}
+
 template <class Depth>
-FrameLedger frame_ledger(const Scene& scene, const Settings& s, const FrameMatrices& matrices,
-                         const FrameBuffers<Depth>& frame, const FrameCounts& counts) {
-    const hw::MachineSpec& m = s.machine;
-    const std::uint64_t pixels = std::uint64_t{1} << (2 * m.xy_bits);
+FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame,
+                         const FrameCounts& counts) {
+    fixed::require(in.scene.light_count == 1, "a ledger is of a frame with one light");
+    const Settings& s = in.settings;
+    const std::uint64_t pixels = std::uint64_t{1} << (2 * s.machine.xy_bits);
+    const Method& method = method_of(in);
     FrameLedger l;
-    l.light = drawing(scene, s, matrices, matrices.world_to_light, *frame.draw, false,
+    l.light = drawing(in, in.matrices.lights[0].world_to_light, *frame.draw, false,
                       l.light_counts);
-    l.observer = drawing(scene, s, matrices, matrices.world_to_observer, *frame.draw, true,
-                         l.observer_counts);
-    l.on_array = s.arithmetic == Arithmetic::ap120b;
-    const PostProcessPipeline plan(s, matrices.observer_to_light);
-    const Schedule plain =
-        s.form == Form::correct
-            ? correct_form_schedule(l.observer_counts.samples, plan)
-            : schedule<Depth>(frame.observer.depth, m.background(), plan.read_cycles,
-                              plan.slot_cycles);
-    if (l.on_array) {
-        l.array = array_cost(counts.post_process, s, s.array_memory,
-                             matrices.observer_to_light.affine);
-    } else {
-        l.post_process = closed_form(plain, plan);
-    }
-    const auto none = static_cast<Depth>(m.background());
+    l.observer = drawing(in, in.matrices.world_to_observer, *frame.draw, true, l.observer_counts);
+    const auto none = static_cast<Depth>(s.machine.background());
     l.visible = pixels - static_cast<std::uint64_t>(std::count(
                              frame.observer.depth.begin(), frame.observer.depth.end(), none));
+    if (method.scene_cost != nullptr) method.scene_cost(in, 0, l);
+    method.stages<Depth>().frame_cost(in, 0, frame, counts, l);
     if (s.dequantize_passes > 0)
-        l.dequantize = phase(counts.chain_steps * chain_step(s.dequantize_passes) +
-                                 pixels * coverage_pixel, s);
-    l.low_pass = phase(static_cast<std::uint64_t>(s.low_pass_passes) * pixels * low_pass_pixel, s);
-    l.composite = phase(pixels * composite_pixel, s);
+        l.dequantize = phase(counts.lights[0].chain_steps * cost::chain_step(s.dequantize_passes) +
+                                 pixels * cost::coverage_pixel,
+                             in);
+    const auto passes = static_cast<std::uint64_t>(s.low_pass_passes);
+    l.low_pass = phase(passes * pixels * cost::low_pass_pixel, in);
+    l.composite = phase(pixels * cost::composite_pixel, in);
     return l;
 }
 
-#define UMBRA78_LEDGER(Depth)                                                            \
-    template PostProcessLedger ledger_of(const ClockedPostProcess<Depth>&);              \
-    template FrameLedger frame_ledger(const Scene&, const Settings&, const FrameMatrices&, \
-                                      const FrameBuffers<Depth>&, const FrameCounts&);
+#define UMBRA78_LEDGER(Depth)                                                             \
+    template PostProcessLedger ledger_of(const ClockedPostProcess<Depth>&);               \
+    template FrameLedger frame_ledger(const FrameInputs&, const FrameBuffers<Depth>&,     \
+                                      const FrameCounts&);
 UMBRA78_LEDGER(hw::Depth16)
 UMBRA78_LEDGER(hw::Depth32)
 #undef UMBRA78_LEDGER

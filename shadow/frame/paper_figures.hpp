@@ -2,11 +2,12 @@
 //
 // The paper shows four spheres of smooth patches under a light at infinity, 100 degrees about the
 // vertical axis to the left of the observer; it gives no coordinates. Places, radius, materials
-// and the numbers of bias, dither and filters are this project's choice. The scene file
-// tools/scenes/figures.toml says the same in decimals; a test holds the two equal.
+// and the numbers of bias, dither and filters are this project's choice. They are written once, in
+// the scene file tools/scenes/figures.toml; paper_scene_words.hpp holds its words.
 #pragma once
 
 #include "raster/draw.hpp"
+#include "shadow/frame/paper_scene_words.hpp"
 #include "shadow/frame/profiles.hpp"
 
 #include <array>
@@ -16,17 +17,11 @@ namespace umbra78::shadow {
 
 inline constexpr int figure_count = 6;
 
-// World words, Q15.16.
-inline constexpr std::array<raster::Sphere, 4> figure_spheres{{
-    {{-68813, 39322, 0}, 47186, 0},      // (-1.05,  0.60, 0.00) radius 0.72
-    {{62259, 77332, 19661}, 47186, 0},   // ( 0.95,  1.18, 0.30)
-    {{-49152, -73400, 13107}, 47186, 0}, // (-0.75, -1.12, 0.20)
-    {{68813, -27525, 29491}, 47186, 0},  // ( 1.05, -0.42, 0.45)
-}};
-inline constexpr raster::Material figure_material{215, 90, 5};
-inline constexpr std::int32_t figure_azimuth_q16 = -100 * 65536;
+inline constexpr const auto& figure_spheres = paper_scene::spheres;
+inline constexpr const raster::Material& figure_material = paper_scene::material;
+inline constexpr std::int32_t figure_azimuth_q16 = paper_scene::light_azimuth_q16;
 
-using FigurePatches = std::array<raster::Patch, 4 * raster::patches_per_sphere>;
+using FigurePatches = std::array<raster::Patch, figure_spheres.size() * raster::patches_per_sphere>;
 
 inline FigurePatches figure_patches() {
     FigurePatches patches;
@@ -37,14 +32,14 @@ inline FigurePatches figure_patches() {
     return patches;
 }
 
-// Both views are orthographic, 2 world units from the centre to the edge: a cube, 128 pixels a
-// unit and 128 Z quanta a pixel.
+// Both views are orthographic and see a cube of 4 world units: 128 pixels a unit, 128 Z quanta a
+// pixel.
 inline raster::View figure_view(std::int32_t azimuth_q16) {
     raster::View v;
     v.axes = raster::axes_from_angles(azimuth_q16, 0);
-    v.extent = 2 << 16;
-    v.near_depth = -(2 << 16);
-    v.far_depth = 2 << 16;
+    v.extent = paper_scene::extent_q16;
+    v.near_depth = -paper_scene::extent_q16;
+    v.far_depth = paper_scene::extent_q16;
     return v;
 }
 
@@ -53,15 +48,15 @@ inline raster::View figure_view(std::int32_t azimuth_q16) {
 // shadow on the picture.
 constexpr Settings figure_settings(int figure) {
     Settings s;
-    s.ambient_q8 = 90;   // 0.35
-    s.density_q8 = 141;  // 0.55
+    s.ambient_q8 = paper_scene::ambient_q8;
+    s.density_q8 = paper_scene::density_q8;
     if (figure < 4) return s;
-    s.lookup = Lookup::bilinear;
-    s.bias_q16 = 192 << 16;
-    s.dither.shape = hw::DitherShape::normal;
+    s.lookup = paper_scene::lookup;
+    s.bias_q16 = paper_scene::bias_q16;
+    s.dither.shape = paper_scene::dither;
     if (figure < 5) return s;
-    s.dequantize_passes = 4;
-    s.low_pass_passes = 1;
+    s.dequantize_passes = paper_scene::dequantize_passes;
+    s.low_pass_passes = paper_scene::low_pass_passes;
     return s;
 }
 

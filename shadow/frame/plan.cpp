@@ -1,6 +1,7 @@
 #include "shadow/frame/plan.hpp"
 
 #include "shadow/frame/culling.hpp"
+#include "shadow/frame/methods.hpp"
 #include "shadow/frame/reuse.hpp"
 
 namespace umbra78::shadow {
@@ -11,75 +12,95 @@ using enum Reason;
 constexpr Decision left_out(Reason why) { return {true, why}; }
 constexpr Decision needed(Reason why) { return {false, why}; }
 
-// The unit leaves out per matrix; a plan says whether there is any it can be left out for.
-void plan_unit(const FrameMatrices& m, FramePlan& plan) {
-    const int affine_matrices = m.world_to_observer.affine + m.world_to_light.affine;
-    const Decision d = affine_matrices == 2   ? left_out(affine)
-                       : affine_matrices == 1 ? left_out(partly_affine)
-                                              : needed(perspective);
+// The unit leaves out what it can for each matrix by itself; the plan says whether there is a
+// matrix
+// for which it can.
+void plan_unit(const FrameInputs& now, FramePlan& plan) {
+    const FrameMatrices& m = now.matrices;
+    const std::size_t matrices = 1 + now.scene.light_count;
+    std::size_t affine_matrices = m.world_to_observer.affine ? 1 : 0;
+    for (std::size_t l = 0; l < now.scene.light_count; ++l)
+        affine_matrices += m.lights[l].world_to_light.affine ? 1 : 0;
+    const Decision d = affine_matrices == matrices ? left_out(affine)
+                       : affine_matrices > 0       ? left_out(partly_affine)
+                                                   : needed(perspective);
     for (const Omission o : {Omission::divide, Omission::w_row, Omission::constant_product})
         plan.at(o) = d;
 }
 
-void plan_test(const FrameInputs& now, const Reach& reach, FramePlan& plan) {
+void plan_pixels(const FrameInputs& now, FramePlan& plan) {
     const Settings& s = now.settings;
-    const std::uint64_t all = now.scene.patches.size();
-    const bool correct = s.form == Form::correct;
-    plan.at(Omission::light_shading) = left_out(depth_alone);
-    plan.at(Omission::background_pixels) =
-        correct ? needed(tested_when_drawn) : left_out(nothing_there);
+    plan.at(Omission::background_pixels) = method_of(now).tests_when_drawn()
+                                               ? needed(tested_when_drawn)
+                                               : left_out(nothing_there);
     plan.at(Omission::noise) = s.dither.shape == hw::DitherShape::none ? left_out(dither_off)
                                : hw::silent(s.dither, s.machine) ? left_out(dither_rounds_to_zero)
                                                                  : needed(asked_for);
-    const bool no_map = reach.outside_light == all;
-    plan.at(Omission::light_map) = no_map ? left_out(no_caster) : needed(may_shadow);
-    plan.at(Omission::post_process) = reach.outside_observer == all ? left_out(nothing_visible)
-                                      : no_map                      ? left_out(no_caster)
-                                      : !reach.into_light           ? left_out(outside_light)
-                                                                    : needed(may_shadow);
 }
 
-void plan_filters(const Settings& s, FramePlan& plan) {
-    const bool lit = plan.leaves_out(Omission::post_process);
+void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
+    const Reach reach = cull(now, l);
+    plan.outside.light[l] = reach.outside_light;
+    plan.outside.observer = reach.outside_observer;
+    const std::uint64_t all = now.scene.patches.size();
+    const bool no_map = reach.outside_light == all;
+    plan.at(Omission::light_shading, l) = left_out(depth_alone);
+    plan.at(Omission::light_map, l) = no_map ? left_out(no_caster) : needed(may_shadow);
+    plan.at(Omission::post_process, l) = reach.outside_observer == all ? left_out(nothing_visible)
+                                         : no_map                      ? left_out(no_caster)
+                                         : !reach.into_light           ? left_out(outside_light)
+                                                                       : needed(may_shadow);
+}
+
+void plan_filters(const FrameInputs& now, std::size_t l, FramePlan& plan) {
+    const Settings& s = now.settings;
+    const Method& method = method_of(now);
+    const bool lit = plan.leaves_out(Omission::post_process, l);
     const auto filter = [&](int passes) {
         return passes == 0 ? left_out(no_passes) : lit ? left_out(nothing_shadowed)
                                                        : needed(asked_for);
     };
-    plan.at(Omission::dequantize) = filter(s.dequantize_passes);
-    plan.at(Omission::low_pass) = filter(s.low_pass_passes);
-    plan.at(Omission::composite) = s.form == Form::correct ? left_out(shadow_in_shading)
-                                   : s.density_q8 == 0     ? left_out(invisible_shadow)
-                                   : lit                   ? left_out(nothing_shadowed)
-                                                           : needed(asked_for);
+    plan.at(Omission::dequantize, l) = filter(s.dequantize_passes);
+    if (method.darkness == Darkness::graded) plan.at(Omission::dequantize, l) = left_out(graded);
+    plan.at(Omission::low_pass, l) = filter(s.low_pass_passes);
+    plan.at(Omission::composite, l) = method.tests_when_drawn() ? left_out(shadow_in_shading)
+                                      : s.density_q8 == 0       ? left_out(invisible_shadow)
+                                      : lit                     ? left_out(nothing_shadowed)
+                                                                : needed(asked_for);
 }
 
-void plan_standing(const FrameInputs& now, const FrameInputs* before, FramePlan& plan) {
-    const Reuse still = before != nullptr ? find_reuse(*before, now) : Reuse{};
-    const auto decide = [&](Omission o, bool same) {
-        plan.at(o) = same ? left_out(stands_still)
-                          : needed(before != nullptr ? has_moved : no_frame_before);
+void plan_reuse(const FrameInputs& now, const FrameInputs* before, FramePlan& plan) {
+    const Reuse same = before != nullptr ? find_reuse(*before, now) : Reuse{};
+    const auto decision = [&](bool kept) {
+        return kept ? left_out(stands_still)
+                    : needed(before != nullptr ? has_moved : no_frame_before);
     };
-    decide(Omission::same_light_map, still.light_map);
-    decide(Omission::same_depth, still.depth);
-    // The correct form goes through all its points again; their Z is no help.
-    if (now.settings.form == Form::correct && !plan.leaves_out(Omission::post_process) &&
-        !still.observer)
+    plan.at(Omission::same_depth) = decision(same.depth);
+    plan.at(Omission::same_observer) = decision(same.observer);
+    plan.at(Omission::same_picture) = decision(same.picture);
+    bool any_test = false;
+    for (std::size_t l = 0; l < now.scene.light_count; ++l) {
+        plan.at(Omission::same_light_map, l) = decision(same.light_map[l]);
+        plan.at(Omission::same_mask, l) = decision(same.mask[l]);
+        any_test = any_test || !plan.leaves_out(Omission::post_process, l);
+    }
+    // A method that tests points as they are drawn goes through all of them again, whatever their
+    // Z.
+    if (method_of(now).tests_when_drawn() && any_test && !same.observer)
         plan.at(Omission::same_depth) = needed(tested_when_drawn);
-    decide(Omission::same_observer, still.observer);
-    decide(Omission::same_mask, still.mask);
-    decide(Omission::same_picture, still.picture);
 }
 
 }  // namespace
 
 FramePlan make_plan(const FrameInputs& now, const FrameInputs* before) {
     FramePlan plan;
-    const Reach reach = cull(now);
-    plan.outside = {reach.outside_light, reach.outside_observer};
-    plan_unit(now.matrices, plan);
-    plan_test(now, reach, plan);
-    plan_filters(now.settings, plan);
-    plan_standing(now, before, plan);
+    plan_unit(now, plan);
+    plan_pixels(now, plan);
+    for (std::size_t l = 0; l < now.scene.light_count; ++l) {
+        plan_test(now, l, plan);
+        plan_filters(now, l, plan);
+    }
+    plan_reuse(now, before, plan);
     return plan;
 }
 

@@ -1,12 +1,13 @@
-// A plan before a frame: what this frame does not need, and why.
+// The plan of a frame: which work the frame does not need, and why.
 //
-// A frame is defined by doing everything: every row and product of the unit, every pixel, every
-// filter. Much of it does nothing for a given scene. A plan, made from scene, settings and loaded
-// matrices, and from the frame before it where there was one, says what is left out. Leaving out
-// never changes a bit of any buffer: what would is a setting of the machine, not an omission.
+// A frame is defined by doing everything: every row and product of the transform unit, every pixel,
+// every filter. For a given scene much of that changes nothing. A plan is made from the scene, the
+// settings, the loaded matrices and, if there is one, the frame before. It says what is left out.
+// Leaving work out never changes a bit of any buffer: what would change bits is a setting of the
+// machine and not an omission.
 //
-// FramePlan{} leaves out nothing, so the work is done and seen to do nothing; the tests draw frames
-// both ways. The cycles an omission saves are in shadow/frame/plan_cost.hpp, the words in tools/.
+// FramePlan{} leaves out nothing; the tests draw frames both ways and compare all buffers. The
+// cycles that an omission saves are in shadow/frame/costs.hpp, its names in tools/render.
 #pragma once
 
 #include "shadow/frame/inputs.hpp"
@@ -44,23 +45,24 @@ enum class Reason : std::uint8_t {
     affine,               // the matrices' row W is (0, 0, 0, 1)
     partly_affine,        // that of one of the views
     depth_alone,          // the light's view keeps Z alone
-    nothing_there,        // a background pixel is lit whatever comes out
+    nothing_there,        // a background pixel is lit whatever the test says
     dither_off,
     dither_rounds_to_zero,
     no_caster,            // every patch lies outside the light's view
     nothing_visible,      // every patch lies outside the observer's view
     outside_light,        // what the observer may see lies outside the light's volume
     nothing_shadowed,     // the mask is all lit: one of the three above
-    no_passes,
+    no_passes,            // the filter is set to 0 passes
+    graded,               // dequantizing follows edges, and this method's darkness has none
     invisible_shadow,     // density 0
     shadow_in_shading,    // the correct form's picture is finished when it is drawn
-    stands_still,
+    stands_still,         // nothing that it is made from has changed
     // needed
     perspective,          // W is not constant
     may_shadow,
     tested_when_drawn,    // correct form: there are no pixels to test, only generated points
     asked_for,            // a setting asks for it
-    has_moved,
+    has_moved,            // something that it is made from has changed
     no_frame_before,
     none,                 // FramePlan{}: nothing is left out
 };
@@ -70,18 +72,24 @@ struct Decision {
     Reason reason = Reason::none;
 };
 
-// Patches that the block rule leaves out of a view whole.
+// Patches that lie outside a view, so that the block rule leaves them out whole.
 struct OutsidePatches {
-    std::uint64_t light = 0, observer = 0;
+    std::array<std::uint64_t, max_lights> light{};
+    std::uint64_t observer = 0;
 };
 
 struct FramePlan {
-    std::array<Decision, omission_count> decisions{};
+    // By omission and light; what is not of a light is decided under light 0.
+    std::array<std::array<Decision, max_lights>, omission_count> decisions{};
     OutsidePatches outside{};
 
-    bool leaves_out(Omission o) const { return at(o).left_out; }
-    const Decision& at(Omission o) const { return decisions[static_cast<std::size_t>(o)]; }
-    Decision& at(Omission o) { return decisions[static_cast<std::size_t>(o)]; }
+    bool leaves_out(Omission o, std::size_t light = 0) const { return at(o, light).left_out; }
+    const Decision& at(Omission o, std::size_t light = 0) const {
+        return decisions[static_cast<std::size_t>(o)][light];
+    }
+    Decision& at(Omission o, std::size_t light = 0) {
+        return decisions[static_cast<std::size_t>(o)][light];
+    }
 
     // What the units compute under this plan.
     hw::UnitWork unit_work() const {
@@ -90,7 +98,7 @@ struct FramePlan {
     }
 };
 
-// `before`: the inputs of the frame that the buffers hold, if they hold one.
+// `before`: the inputs of the frame that the buffers hold; null if they hold none.
 FramePlan make_plan(const FrameInputs& now, const FrameInputs* before = nullptr);
 
 }  // namespace umbra78::shadow

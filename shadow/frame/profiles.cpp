@@ -9,6 +9,12 @@ namespace {
 
 using enum Confidence;
 
+// A setting's word from its enumerator.
+template <class Enum>
+constexpr std::int64_t word(Enum value) {
+    return static_cast<std::int64_t>(value);
+}
+
 constexpr std::string_view chip =
     "TRW MPY-16/TDC1010J class 16 x 16 multiplier(-accumulator), sold from 1976: 155 to 165 ns "
     "from memory, not from a data sheet";
@@ -25,8 +31,10 @@ constexpr std::array affine16{
     ProfileValue{"dram_cycle_ns", 375, published, grade},
     ProfileValue{"dram_column_ns", 135, assumed, page_mode},
     ProfileValue{"dram_page_ns", 225, assumed, page_mode},
-    ProfileValue{"dram_rows", 0, assumed, "a page of four scan lines; a counter refreshes"},
-    ProfileValue{"video", 1, assumed, "the observer's buffer is on a monitor, the light's is not"},
+    ProfileValue{"dram_rows", word(hw::DramRows::lines), assumed,
+                 "a page of four scan lines; a counter refreshes"},
+    ProfileValue{"video", word(hw::Video::observer), assumed,
+                 "the observer's buffer is on a monitor, the light's is not"},
 };
 constexpr std::array affine16x1{
     ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
@@ -37,7 +45,8 @@ constexpr std::array affine16x16{
     ProfileValue{"coefficient_bits", 16, published, "the chips' word; Sutherland 1968 too"},
     ProfileValue{"multipliers", 16, assumed, "the whole matrix: a point a clock"},
     ProfileValue{"clock_ns", 200, assumed, chip},
-    ProfileValue{"divider", 1, assumed, "three in stages keep up with a point a clock"},
+    ProfileValue{"divider", word(hw::Divider::pipelined), assumed,
+                 "three in stages keep up with a point a clock"},
     ProfileValue{"light_banks", 4, assumed, "2 x 2 interleaved: bilinear lookup in a clock"},
 };
 constexpr std::array perspective24{
@@ -45,7 +54,7 @@ constexpr std::array perspective24{
                  "two passes of a 16 x 16 multiplier; 16 bits leave 2 px of error at far/near 100"},
     ProfileValue{"multipliers", 4, assumed, ours},
     ProfileValue{"clock_ns", 200, assumed, chip},
-    ProfileValue{"divider", 0, published,
+    ProfileValue{"divider", word(hw::Divider::serial), published,
                  "a bit a clock, as in the clipping divider of Sproull & Sutherland 1968"},
 };
 
@@ -54,14 +63,14 @@ constexpr std::string_view fps =
 constexpr std::string_view fps_clock =
     "the same; the other units are taken at the same clock";
 constexpr std::array ap120b{
-    ProfileValue{"arithmetic", 1, published, fps},
+    ProfileValue{"arithmetic", word(Arithmetic::ap120b), published, fps},
     ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps_clock},
-    ProfileValue{"array_memory", 0, assumed, ours},
+    ProfileValue{"array_memory", word(hw::ap120b::MemorySpeed::standard), assumed, ours},
 };
 constexpr std::array ap120b_fast{
-    ProfileValue{"arithmetic", 1, published, fps},
+    ProfileValue{"arithmetic", word(Arithmetic::ap120b), published, fps},
     ProfileValue{"clock_ns", hw::ap120b::clock_ns, published, fps_clock},
-    ProfileValue{"array_memory", 1, published, fps},
+    ProfileValue{"array_memory", word(hw::ap120b::MemorySpeed::fast), published, fps},
 };
 
 constexpr std::array<Profile, 6> table{{

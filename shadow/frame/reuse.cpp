@@ -1,5 +1,7 @@
 #include "shadow/frame/reuse.hpp"
 
+#include "shadow/frame/methods.hpp"
+
 #include <algorithm>
 
 namespace umbra78::shadow {
@@ -42,14 +44,15 @@ bool same_surfaces(const FrameInputs& a, const FrameInputs& b) {
 }
 
 bool same_shading(const FrameInputs& a, const FrameInputs& b) {
-    const auto light = [](const FrameInputs& f) {
-        return raster::toward_eye(f.scene.light, f.matrices.object);
-    };
     const auto viewer = [](const FrameInputs& f) {
         return raster::toward_eye(f.scene.observer, f.matrices.object);
     };
-    return same_surfaces(a, b) && a.settings.ambient_q8 == b.settings.ambient_q8 &&
-           same(light(a), light(b)) && same(viewer(a), viewer(b));
+    bool alike = same_surfaces(a, b) && a.settings.ambient_q8 == b.settings.ambient_q8 &&
+                 same(viewer(a), viewer(b));
+    for (std::size_t l = 0; l < b.scene.light_count; ++l)
+        alike = alike && same(raster::toward_eye(a.scene.lights[l], a.matrices.object),
+                              raster::toward_eye(b.scene.lights[l], b.matrices.object));
+    return alike;
 }
 
 bool same_dither(const Settings& a, const Settings& b) {
@@ -60,44 +63,50 @@ bool same_dither(const Settings& a, const Settings& b) {
            a.dither.seed == b.dither.seed;
 }
 
-// How a point is tested, once both Z planes are drawn; the bias is in the matrix.
-bool same_test(const FrameInputs& a, const FrameInputs& b) {
+// How a point is tested against light l, given both Z planes; the bias is in the matrix.
+bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
     const Settings &s = a.settings, &t = b.settings;
+    const LightMatrices &m = a.matrices.lights[l], &n = b.matrices.lights[l];
     const bool bilinear = s.lookup == Lookup::bilinear;
-    if (s.arithmetic != t.arithmetic) return false;
-    if (s.arithmetic == Arithmetic::ap120b && a.matrices.array != b.matrices.array) return false;
-    return same(a.matrices.observer_to_light, b.matrices.observer_to_light) &&
+    return same(m.observer_to_light, n.observer_to_light) && m.array == n.array &&
            s.machine.fraction_bits == t.machine.fraction_bits &&
            hw::product_cut(s.machine) == hw::product_cut(t.machine) &&
-           (a.matrices.observer_to_light.affine ||
-            s.machine.divide_order == t.machine.divide_order) &&
+           (m.observer_to_light.affine || s.machine.divide_order == t.machine.divide_order) &&
            s.registration == t.registration && s.lookup == t.lookup &&
            (!bilinear || s.background == t.background) && same_dither(s, t);
 }
 
-bool same_filters(const Settings& a, const Settings& b) {
+bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) {
     return a.dequantize_passes == b.dequantize_passes &&
            a.low_pass_passes == b.low_pass_passes &&
-           (a.form == Form::correct || a.density_q8 == b.density_q8);
+           (shadow_in_shading || a.density_q8 == b.density_q8);
 }
 
 }  // namespace
 
 Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
-    const auto drawn = [&](const hw::MatrixWords FrameMatrices::*matrix) {
-        return same_drawing(before, now) && same(before.matrices.*matrix, now.matrices.*matrix);
-    };
-    Reuse s;
-    s.light_map = drawn(&FrameMatrices::world_to_light);
-    s.depth = drawn(&FrameMatrices::world_to_observer);
-    s.observer = s.depth && same_shading(before, now);
-    s.mask = s.depth && s.light_map && same_test(before, now);
-    // The correct form draws mask and intensity together: both stand or neither does.
-    const bool correct = now.settings.form == Form::correct;
-    if (before.settings.form != now.settings.form) s.observer = s.mask = false;
-    if (correct) s.observer = s.mask = s.observer && s.mask;
-    s.picture = s.observer && s.mask && same_filters(before.settings, now.settings);
-    return s;
+    Reuse r;
+    if (before.scene.light_count != now.scene.light_count) return r;
+    const bool drawing = same_drawing(before, now);
+    const bool method = &method_of(before) == &method_of(now);
+    const bool when_drawn = method_of(now).tests_when_drawn();
+    r.depth = drawing && same(before.matrices.world_to_observer, now.matrices.world_to_observer);
+    r.observer = r.depth && same_shading(before, now) &&
+                 when_drawn == method_of(before).tests_when_drawn();
+    bool masks = true;
+    for (std::size_t l = 0; l < now.scene.light_count; ++l) {
+        r.light_map[l] = drawing && same(before.matrices.lights[l].world_to_light,
+                                         now.matrices.lights[l].world_to_light);
+        r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
+        masks = masks && r.mask[l];
+    }
+    // Tested when drawn, intensities and masks are made together: all are kept or none is.
+    if (when_drawn && !(r.observer && masks)) {
+        r.observer = masks = false;
+        r.mask = {};
+    }
+    r.picture = r.observer && masks && same_filters(before.settings, now.settings, when_drawn);
+    return r;
 }
 
 }  // namespace umbra78::shadow

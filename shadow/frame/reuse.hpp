@@ -1,21 +1,23 @@
-// What stands still from one frame to the next: each buffer whose inputs are the same.
+// Reuse: which buffers of the frame before are still right, because their inputs are the same.
 //
-// A buffer depends on less than its view and all settings: the light map on the control points,
-// the light's matrix words and the widths and roundings of drawing; the observer's Z on the same
-// of the observer; its intensities on materials, ambient and both directions, too; the mask on
-// both Z planes, the matrix between them and how it is looked up. What is compared is what is
-// read: a view that moved by less than its words can tell has not moved.
+// A buffer depends on less than its view and all settings. The light's map depends on the control
+// points, the light's matrix words, and the widths and roundings of drawing; the observer's Z on
+// the same of the observer. The intensities depend on materials, ambient and both directions too.
+// The mask depends on both Z planes, the matrix between them, and how the map is looked up. Words
+// are compared, and not the views they come from: a view that moved by less than its words resolve
+// has not moved.
 #pragma once
 
 #include "shadow/frame/inputs.hpp"
 
+#include <array>
+
 namespace umbra78::shadow {
 
 struct Reuse {
-    bool light_map = false;
+    std::array<bool, max_lights> light_map{}, mask{};
     bool depth = false;     // the observer's Z
     bool observer = false;  // and its intensities
-    bool mask = false;
     bool picture = false;   // and the masks after each filter
     constexpr bool operator==(const Reuse&) const = default;
 };

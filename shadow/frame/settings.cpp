@@ -1,5 +1,7 @@
 #include "shadow/frame/settings.hpp"
 
+#include "shadow/frame/methods.hpp"
+
 #include <array>
 
 namespace umbra78::shadow {
@@ -156,12 +158,7 @@ const Setting* find_setting(std::string_view key) {
 
 bool closes(const Settings& settings) {
     return hw::check(settings.machine) == hw::SpecStatus::ok &&
-           hw::check(settings.timing) == hw::TimingStatus::ok && array_can(settings);
-}
-
-bool array_can(const Settings& settings) {
-    return settings.arithmetic != Arithmetic::ap120b ||
-           (settings.machine.z_bits <= 16 && settings.form == Form::post_process);
+           hw::check(settings.timing) == hw::TimingStatus::ok && method_can(settings);
 }
 
 }  // namespace umbra78::shadow

@@ -52,10 +52,8 @@ struct Setting {
 std::span<const Setting> settings_table();
 const Setting* find_setting(std::string_view key);
 
-// Whether a machine can be built with these settings (the machine's widths, the parts' times).
+// Whether a machine can be built with these settings: the machine's widths, the parts' times, and a
+// method that can do what they ask (shadow/frame/methods.hpp).
 bool closes(const Settings& settings);
-
-// Part of that: the AP-120B's host sends 16-bit integers, and it does the post-process only.
-bool array_can(const Settings& settings);
 
 }  // namespace umbra78::shadow

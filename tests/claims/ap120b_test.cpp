@@ -77,7 +77,7 @@ TEST(Ap120b, TakesSecondsAFrame) {
             apply(*shadow::find_profile(profile), s);
             const Machine machine(s);
             const shadow::ArrayCost cost =
-                array_cost(machine.frame.counts.post_process, s, s.array_memory, true);
+                array_cost(machine.frame.counts.lights[0].post_process, s, s.array_memory, true);
             const auto ms = [&](std::uint64_t cycles) {
                 return static_cast<double>(cycles) * s.timing.clock_ns * 1e-6;
             };

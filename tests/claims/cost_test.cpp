@@ -42,22 +42,22 @@ Cost draw(const std::string& what, const Patches& patches) {
     const shadow::test::Frame<> frame(scene, s);
     EXPECT_EQ(frame.status, shadow::FrameStatus::ok);
     const Cost cost{frame.counts,
-                    frame_ledger(scene, s, frame.matrices, frame.buffers, frame.counts)
+                    frame_ledger({scene, s, frame.matrices}, frame.buffers, frame.counts)
                         .post_process,
-                    {frame.buffers.mask.begin(), frame.buffers.mask.end()}};
+                    {frame.buffers.lights[0].mask.begin(), frame.buffers.lights[0].mask.end()}};
     const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
     std::printf("%-28s %5llu patches, %7llu blocks and %8llu samples drawn in both views; "
                 "post-process: %llu pixels, %llu cycles (multipliers %llu)\n",
                 what.c_str(), number(cost.counts.observer.patches),
-                number(cost.counts.observer.blocks + cost.counts.light.blocks),
-                number(cost.counts.observer.samples + cost.counts.light.samples),
-                number(cost.counts.post_process.visible), number(cost.cycles.total),
+                number(cost.counts.observer.blocks + cost.counts.lights[0].map.blocks),
+                number(cost.counts.observer.samples + cost.counts.lights[0].map.samples),
+                number(cost.counts.lights[0].post_process.visible), number(cost.cycles.total),
                 number(work(cost, "multiply")));
     return cost;
 }
 
 void expect_equal_cost(const Cost& a, const Cost& b) {
-    EXPECT_EQ(a.counts.post_process.visible, b.counts.post_process.visible);
+    EXPECT_EQ(a.counts.lights[0].post_process.visible, b.counts.lights[0].post_process.visible);
     EXPECT_EQ(a.cycles.total, b.cycles.total);
     for (int k = 0; k < a.cycles.count; ++k)
         EXPECT_EQ(a.cycles.rows[std::size_t(k)].work, b.cycles.rows[std::size_t(k)].work) << k;
@@ -73,8 +73,8 @@ TEST(Cost, TenCoincidentPatchesForOne) {
     expect_equal_cost(a, b);
     EXPECT_EQ(a.mask, b.mask);
     EXPECT_GE(b.counts.observer.patches, 10 * a.counts.observer.patches);
-    EXPECT_GT(b.counts.observer.samples + b.counts.light.samples,
-              5 * (a.counts.observer.samples + a.counts.light.samples));
+    EXPECT_GT(b.counts.observer.samples + b.counts.lights[0].map.samples,
+              5 * (a.counts.observer.samples + a.counts.lights[0].map.samples));
 }
 
 // Nine smaller spheres within each: drawn or left out, but never seen.
@@ -91,8 +91,8 @@ TEST(Cost, TenSpheresOneInAnother) {
     expect_equal_cost(a, b);
     EXPECT_EQ(a.mask, b.mask);
     EXPECT_EQ(b.counts.observer.patches, 10 * a.counts.observer.patches);
-    EXPECT_GT(b.counts.observer.blocks + b.counts.light.blocks,
-              a.counts.observer.blocks + a.counts.light.blocks);
+    EXPECT_GT(b.counts.observer.blocks + b.counts.lights[0].map.blocks,
+              a.counts.observer.blocks + a.counts.lights[0].map.blocks);
 }
 
 // --- the same surface in sixteen times as many patches ------------------------------------------
@@ -147,8 +147,8 @@ TEST(Cost, SixteenPartsForEachPatch) {
         for (int k = 0; k < 16; ++k) parts.push_back(sixteenth(p, k % 4, k / 4));
     const Cost a = draw("figures", once()), b = draw("each patch in 16 parts", parts);
     EXPECT_EQ(b.counts.observer.patches, 16 * a.counts.observer.patches);
-    const std::uint64_t before = a.counts.post_process.visible;
-    const std::uint64_t after = b.counts.post_process.visible;
+    const std::uint64_t before = a.counts.lights[0].post_process.visible;
+    const std::uint64_t after = b.counts.lights[0].post_process.visible;
     EXPECT_LE(after > before ? after - before : before - after, 4u);
     EXPECT_EQ(work(a, "multiply") + 3 * after, work(b, "multiply") + 3 * before);
     EXPECT_EQ(work(a, "fetch") + 4 * after, work(b, "fetch") + 4 * before);
@@ -165,7 +165,8 @@ TEST(Cost, OfOneSphereIsLess) {
     one.resize(raster::patches_per_sphere);
     const Cost a = draw("figures", once()), b = draw("one sphere", one);
     EXPECT_LT(3 * work(b, "multiply"), work(a, "multiply"));
-    EXPECT_LT(3 * b.counts.post_process.visible, a.counts.post_process.visible);
+    EXPECT_LT(3 * b.counts.lights[0].post_process.visible,
+              a.counts.lights[0].post_process.visible);
 }
 
 // The paper, p. 273: a shadow costs about twice the plain rendering, less the shading of the
@@ -177,7 +178,7 @@ TEST(Cost, RoughlyTwicePlusAFixedTransformation) {
         shadow::apply(*shadow::find_profile(name), s);
         const shadow::test::Frame<> frame(figures().scene(), s);
         ASSERT_EQ(frame.status, shadow::FrameStatus::ok);
-        const shadow::FrameLedger l = frame_ledger(figures().scene(), s, frame.matrices,
+        const shadow::FrameLedger l = frame_ledger({figures().scene(), s, frame.matrices},
                                                    frame.buffers, frame.counts);
         const auto of = [&](std::uint64_t cycles) {
             return static_cast<double>(cycles) /

@@ -76,9 +76,9 @@ struct Machine {
         for (const hw::Depth16 z : frame.buffers.observer.depth)
             visible.push_back(z != s.machine.background() ? 1 : 0);
     }
-    tools::MachineMask compared() const { return {frame.buffers.mask, visible}; }
+    tools::MachineMask compared() const { return {frame.buffers.lights[0].mask, visible}; }
     tools::MachineMask filtered(int threshold = 128) const {
-        return {frame.buffers.filtered, visible, threshold};
+        return {frame.buffers.lights[0].filtered, visible, threshold};
     }
     const shadow::FrameBuffers<hw::Depth16>& buffers() const { return frame.buffers; }
 
@@ -93,9 +93,9 @@ using Noise = std::function<hw::DitherWords(int x, int y)>;
 inline std::vector<std::uint8_t> mask_with_noise(const Machine& machine, const Noise& noise) {
     const Settings& s = machine.settings;
     const auto& b = machine.buffers();
-    const shadow::LightMap<hw::Depth16> map{b.light, s.machine, s.lookup, s.background};
-    const hw::TransformUnit unit(s.machine, machine.frame.matrices.observer_to_light);
-    std::vector<std::uint8_t> mask(b.mask.size());
+    const shadow::LightMap<hw::Depth16> map{b.lights[0].map, s.machine, s.lookup, s.background};
+    const hw::TransformUnit unit(s.machine, machine.frame.matrices.lights[0].observer_to_light);
+    std::vector<std::uint8_t> mask(b.lights[0].mask.size());
     for (int y = 0; y < s.machine.size_px(); ++y)
         for (int x = 0; x < s.machine.size_px(); ++x) {
             const std::size_t a = b.observer.address(x, y);

@@ -22,11 +22,11 @@ using shadow::MemoryLedger;
 struct Lit {
     explicit Lit(int azimuth = -100, int elevation = 0) : settings(shadow::figure_settings(3)) {
         shadow::Scene scene = figures().scene();
-        scene.light.axes = raster::axes_from_angles(azimuth * 65536, elevation * 65536);
+        scene.lights[0].axes = raster::axes_from_angles(azimuth * 65536, elevation * 65536);
         EXPECT_EQ(frame.draw(scene, settings), shadow::FrameStatus::ok);
     }
     MemoryLedger replay(const Settings& s) const {
-        const hw::MatrixWords& matrix = frame.matrices.observer_to_light;
+        const hw::MatrixWords& matrix = frame.matrices.lights[0].observer_to_light;
         const shadow::PostProcessPipeline plan(s, matrix);
         return replay_memory(frame.buffers.observer, matrix, s,
                              static_cast<std::uint64_t>(plan.slot_cycles));

@@ -80,7 +80,7 @@ TEST(Heap, AFrameAllocatesNothing) {
                     patches = figure_patches();
                     const std::array materials{figure_material};
                     Scene scene{patches, materials, figure_view(0),
-                                figure_view(figure_azimuth_q16)};
+                                {{figure_view(figure_azimuth_q16)}}};
                     scene.observer.projection = projection;
                     scene.observer.distance = 6 << 16;
                     raster::fit_depth(scene.observer,

@@ -52,11 +52,11 @@ TEST(CorrectForm, MaskIsThePostProcessesWhereSamplesLieAtCentres) {
                                   with_form(s, Form::correct, raster::Sampling::centre));
             umbra78::test::expect_equal_buffers("observer_z", 512, post.buffers.observer.depth,
                                                 correct.buffers.observer.depth);
-            umbra78::test::expect_equal_buffers("mask", 512, post.buffers.mask,
-                                                correct.buffers.mask);
+            umbra78::test::expect_equal_buffers("mask", 512, post.buffers.lights[0].mask,
+                                                correct.buffers.lights[0].mask);
             // Where it is lit, the shading is the same as well.
-            for (std::size_t a = 0; a < post.buffers.mask.size(); ++a) {
-                if (post.buffers.mask[a] != 0) continue;
+            for (std::size_t a = 0; a < post.buffers.lights[0].mask.size(); ++a) {
+                if (post.buffers.lights[0].mask[a] != 0) continue;
                 ASSERT_EQ(correct.buffers.picture[a], post.buffers.observer.intensity[a]) << a;
             }
         }
@@ -74,8 +74,9 @@ TEST(CorrectForm, MaskDiffersWithLeafSampling) {
                               with_form(s, Form::correct, raster::Sampling::leaf));
         umbra78::test::expect_equal_buffers("observer_z", 512, post.buffers.observer.depth,
                                             correct.buffers.observer.depth);
-        const std::size_t n = differing(post.buffers.mask, correct.buffers.mask);
-        const auto visible = post.counts.post_process.visible;
+        const std::size_t n = differing(post.buffers.lights[0].mask,
+                                        correct.buffers.lights[0].mask);
+        const auto visible = post.counts.lights[0].post_process.visible;
         std::printf("leaf sampling, figure %d: %zu of %zu visible pixels differ by form\n",
                     figure, n, static_cast<std::size_t>(visible));
         EXPECT_GT(n, visible / 100);
@@ -94,9 +95,9 @@ TEST(CorrectForm, NoHighlightInShadow) {
             const Frame<> a(glossy.scene(), s), b(matte.scene(), s);
             int in_shadow = 0, in_light = 0, highlights = 0, brightest = 0;
             int strongest = 0, undarkened = 0;
-            for (std::size_t k = 0; k < a.buffers.mask.size(); ++k) {
+            for (std::size_t k = 0; k < a.buffers.lights[0].mask.size(); ++k) {
                 const int glow = a.buffers.picture[k] - b.buffers.picture[k];
-                if (a.buffers.mask[k] == 0) {
+                if (a.buffers.lights[0].mask[k] == 0) {
                     in_light += glow > 0;
                     continue;
                 }
@@ -134,12 +135,13 @@ TEST(CorrectForm, CountsEveryGeneratedPoint) {
     const auto seen = static_cast<std::uint64_t>(
         std::count_if(post.buffers.observer.depth.begin(), post.buffers.observer.depth.end(),
                       [&](hw::Depth16 z) { return z != s.machine.background(); }));
-    EXPECT_EQ(post.counts.post_process.visible, seen);
+    EXPECT_EQ(post.counts.lights[0].post_process.visible, seen);
     EXPECT_EQ(correct.counts.observer.hidden_blocks, 0u);
-    EXPECT_EQ(correct.counts.post_process.visible, correct.counts.observer.samples);
+    EXPECT_EQ(correct.counts.lights[0].post_process.visible, correct.counts.observer.samples);
     EXPECT_GT(correct.counts.observer.samples, 2 * seen) << "a sphere's far side is drawn too";
     EXPECT_GT(correct.counts.observer.samples, post.counts.observer.samples);
-    EXPECT_EQ(correct.counts.post_process.shadowed, post.counts.post_process.shadowed);
+    EXPECT_EQ(correct.counts.lights[0].post_process.shadowed,
+              post.counts.lights[0].post_process.shadowed);
     std::printf("figure 3: %zu visible pixels, %zu generated points\n",
                 static_cast<std::size_t>(seen),
                 static_cast<std::size_t>(correct.counts.observer.samples));

@@ -169,8 +169,9 @@ TEST(PostProcessRows, TheFiguresMatrixAtEverySizeAndBias) {
                 s.background = test::pick(random, {Background::blend, Background::fall_back});
                 s.registration = test::pick(random, {Registration::centre, Registration::index});
                 ASSERT_EQ(load_matrices(figures.scene(), s, frame.matrices), FrameStatus::ok);
-                expect_forms_agree(frame.buffers.observer, frame.buffers.light,
-                                   frame.matrices.observer_to_light, s, "figures ", shadowed);
+                expect_forms_agree(frame.buffers.observer, frame.buffers.lights[0].map,
+                                   frame.matrices.lights[0].observer_to_light, s, "figures ",
+                                   shadowed);
                 if (HasFailure()) return;
             }
     }
@@ -193,8 +194,8 @@ TEST(PostProcessRows, EverySettingOnce) {
                 s.background = (bits & 2) != 0 ? Background::fall_back : Background::blend;
                 s.registration = (bits & 4) != 0 ? Registration::index : Registration::centre;
                 ASSERT_EQ(load_matrices(figures.scene(), s, frame.matrices), FrameStatus::ok);
-                expect_forms_agree(frame.buffers.observer, frame.buffers.light,
-                                   frame.matrices.observer_to_light, s, "", shadowed);
+                expect_forms_agree(frame.buffers.observer, frame.buffers.lights[0].map,
+                                   frame.matrices.lights[0].observer_to_light, s, "", shadowed);
                 if (HasFailure()) return;
             }
     EXPECT_GT(shadowed, 10000u);
@@ -238,7 +239,7 @@ TEST(PostProcessRows, CoverWhatTheySay) {
     FrameMatrices matrices;
     const Settings base;
     ASSERT_EQ(load_matrices(figures.scene(), base, matrices), FrameStatus::ok);
-    const hw::MatrixWords m = matrices.observer_to_light;
+    const hw::MatrixWords m = matrices.lights[0].observer_to_light;
     EXPECT_TRUE(rows_cover(base, m));
 
     const auto covers = [&](auto change) {

@@ -60,22 +60,22 @@ void print_figures(int filler) {
     const shadow::FigurePatches patches = shadow::figure_patches();
     const std::array materials{shadow::figure_material};
     const shadow::Scene scene{patches, materials, shadow::figure_view(0),
-                              shadow::figure_view(shadow::figure_azimuth_q16)};
+                              {{shadow::figure_view(shadow::figure_azimuth_q16)}}};
     const Memory<hw::Depth16> m3(scene, shadow::figure_settings(3), filler);
     const Memory<hw::Depth16> m4(scene, shadow::figure_settings(4), filler);
     const Memory<hw::Depth16> m6(scene, shadow::figure_settings(6), filler);
     print("observer_z", m3.frame.observer.depth);
-    print("light_z", m3.frame.light.depth);
+    print("light_z", m3.frame.lights[0].map.depth);
     print("intensity", m3.frame.observer.intensity);
-    print("mask3", m3.frame.mask);
-    print("mask4", m4.frame.mask);
-    print("edges5", m6.frame.edges);
-    print("filtered5", m6.frame.filtered);
+    print("mask3", m3.frame.lights[0].mask);
+    print("mask4", m4.frame.lights[0].mask);
+    print("edges5", m6.frame.lights[0].edges);
+    print("filtered5", m6.frame.lights[0].filtered);
     print("picture6", m6.frame.picture);
     const Memory<hw::Depth16> a3(scene, shadow::array_figure_settings(3), filler);
     const Memory<hw::Depth16> a4(scene, shadow::array_figure_settings(4), filler);
-    print("mask3_ap120b", a3.frame.mask);
-    print("mask4_ap120b", a4.frame.mask);
+    print("mask3_ap120b", a3.frame.lights[0].mask);
+    print("mask4_ap120b", a4.frame.lights[0].mask);
 }
 
 void print_other_paths(int filler) {
@@ -95,18 +95,18 @@ void print_other_paths(int filler) {
     settings.machine.coefficient_bits = 32;
     settings.machine.fraction_bits = 12;
     settings.bias_q16 = std::int64_t{192 << 8} << 16;
-    const shadow::Scene scene{patches, materials, observer, light};
+    const shadow::Scene scene{patches, materials, observer, {{light}}};
     const Memory<hw::Depth32> wide(scene, settings, filler);
     print("observer_z_wide", wide.frame.observer.depth);
-    print("light_z_wide", wide.frame.light.depth);
-    print("mask_wide", wide.frame.mask);
+    print("light_z_wide", wide.frame.lights[0].map.depth);
+    print("mask_wide", wide.frame.lights[0].mask);
     print("picture_wide", wide.frame.picture);
     settings = shadow::figure_settings(3);
     settings.sampling = raster::Sampling::leaf;
     settings.form = shadow::Form::correct;
     const Memory<hw::Depth16> leaf(scene, settings, filler);
     print("observer_z_leaf", leaf.frame.observer.depth);
-    print("mask_correct", leaf.frame.mask);
+    print("mask_correct", leaf.frame.lights[0].mask);
     print("picture_correct", leaf.frame.picture);
 }
 

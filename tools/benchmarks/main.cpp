@@ -38,7 +38,7 @@ struct Bench {
     shadow::Scene scene{patches,
                         {&material, 1},
                         shadow::figure_view(0),
-                        shadow::figure_view(shadow::figure_azimuth_q16)};
+                        {{shadow::figure_view(shadow::figure_azimuth_q16)}}};
     std::vector<std::byte> memory;
     shadow::FrameBuffers<Depth16> frame;
     shadow::FrameMatrices matrices;
@@ -105,7 +105,7 @@ void add(const std::string& name, int figure, Stage&& stage) {
 }
 
 shadow::PostProcessLedger pass_ledger(const Bench& b, const shadow::Settings& s) {
-    const shadow::PostProcessPipeline plan(s, b.matrices.observer_to_light);
+    const shadow::PostProcessPipeline plan(s, b.matrices.lights[0].observer_to_light);
     return shadow::closed_form(
         shadow::schedule<Depth16>(b.frame.observer.depth, s.machine.background(),
                                   plan.read_cycles, plan.slot_cycles),
@@ -120,8 +120,9 @@ void add_clocked(const std::string& name, int figure) {
         using Machine = shadow::ClockedPostProcess<Depth16>;
         std::uint64_t cycles = 0;
         for (auto _ : state) {
-            Machine machine(b.frame.observer, b.frame.light, b.matrices.observer_to_light,
-                            shadow::figure_settings(figure), b.frame.mask);
+            Machine machine(b.frame.observer, b.frame.lights[0].map,
+                            b.matrices.lights[0].observer_to_light,
+                            shadow::figure_settings(figure), b.frame.lights[0].mask);
             while (!machine.done()) machine.tick();
             cycles += machine.cycles();
         }
@@ -135,7 +136,7 @@ void add_all() {
     for (const bool affine : {true, false})
         add(affine ? baseline_name : "float post-process, with division", 3,
             [=](Bench& b, const Settings&) {
-                tools::float_post_process(b.frame.observer.depth, b.frame.light.depth, 512,
+                tools::float_post_process(b.frame.observer.depth, b.frame.lights[0].map.depth, 512,
                                           b.floats, affine, b.frame.picture);
             });
     const auto cast = [](Bench& b, const Settings& s) {
@@ -144,8 +145,9 @@ void add_all() {
     add("post-process, figure 3 (nearest)", 3, cast);
     add("post-process, figure 4 (bilinear, dither)", 4, cast);
     add("post-process, figure 3, plain form", 3, [](Bench& b, const Settings& s) {
-        shadow::post_process(b.frame.observer, b.frame.light, b.matrices.observer_to_light, s,
-                             b.frame.mask);
+        shadow::post_process(b.frame.observer, b.frame.lights[0].map,
+                             b.matrices.lights[0].observer_to_light, s,
+                             b.frame.lights[0].mask);
     });
     // The ledger of the pass as the functional machine gets it: one scan of the observer's Z.
     add("post-process, figure 3, with its ledger", 3, [](Bench& b, const Settings& s) {
@@ -156,11 +158,11 @@ void add_all() {
         add_clocked(fmt::format("post-process, figure {}, clocked", figure), figure);
     add("memory replay, figure 4", 4, [](Bench& b, const Settings& s) {
         benchmark::DoNotOptimize(shadow::replay_memory(
-            b.frame.observer, b.matrices.observer_to_light, s, 4));
+            b.frame.observer, b.matrices.lights[0].observer_to_light, s, 4));
     });
     add("post-process, figure 3, AP-120B", 3, [](Bench& b, const Settings& s) {
-        shadow::array_post_process(b.frame.observer, b.frame.light, b.array(s), true, s,
-                                   b.frame.mask);
+        shadow::array_post_process(b.frame.observer, b.frame.lights[0].map, b.array(s), true, s,
+                                   b.frame.lights[0].mask);
     });
     add("matrices", 6, [](Bench& b, const Settings& s) {
         shadow::load_matrices(b.scene, s, b.matrices);

@@ -37,8 +37,8 @@ void print_claim(const CostClaim& claim) {
 
 // Only the fixed-point machine's post-process has a memory replay, a waterfall and a dump.
 bool is_clocked(const LoadedScene& scene) {
-    return scene.settings.arithmetic == shadow::Arithmetic::fixed &&
-           scene.settings.form == shadow::Form::post_process;
+    const shadow::Method* method = shadow::method_of(scene.settings);
+    return method != nullptr && method->trace == shadow::Trace::clocked_post_process;
 }
 
 void one_profile(const Options& options, const LoadedScene& scene) {

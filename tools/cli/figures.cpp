@@ -4,6 +4,7 @@
 #include "tools/io/sheet.hpp"
 #include "tools/paper/figure_studies.hpp"
 #include "tools/paper/goldens.hpp"
+#include "tools/paper/scene_words.hpp"
 #include "tools/scene/settings_text.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ using nlohmann::ordered_json;
 
 struct Options {
     std::string out = "out", goldens = UMBRA78_SOURCE_DIR "/tests/goldens";
-    bool check = false, bless = false, json = false;
+    bool check = false, bless = false, json = false, words = false;
 };
 
 std::string picture_name(const Figure& figure) { return fmt::format("fig{}.png", figure.number); }
@@ -141,6 +142,11 @@ void write_pictures(const Path& out, const FigureSet& set, FileSet& files) {
 }
 
 void run(const Options& options, int& exit_code) {
+    if (options.words) {
+        fmt::print("{}", paper_scene_words(load_scene(
+                             UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml", {})));
+        return;
+    }
     const auto start = std::chrono::steady_clock::now();
     FileSet files;
     const Path out = options.out;
@@ -190,6 +196,8 @@ void add_figures_command(CLI::App& app, int& exit_code) {
         "Compare every stage's buffer with its golden; exit 1 if one differs");
     command.flag("--bless", options->bless, "Make new goldens of what was drawn").excludes(check);
     command.flag("--json", options->json, "Print figures.json instead of the table");
+    command.flag("--words", options->words,
+                 "Print the core's header of the figures' scene instead, and draw nothing");
     command.footer("Example:\n  umbra78 figures --out out --check");
     command.runs([options, &exit_code] { run(*options, exit_code); });
 }

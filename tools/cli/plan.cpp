@@ -31,16 +31,15 @@ struct Planned {
 
     explicit Planned(const Options& options)
         : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
-        if (scene.settings.arithmetic == shadow::Arithmetic::ap120b)
-            throw SceneError("only the fixed-point machine has a plan; give --set "
-                             "arithmetic=fixed");
+        const std::string_view refusal = shadow::method_of(job.inputs()).no_plan_cost;
+        if (!refusal.empty()) throw SceneError(std::string(refusal));
         job.render();
         ledger = job.ledger();
     }
     const shadow::FramePlan& plan() const { return job.plan(); }
     shadow::DrawnFrame drawn() const { return {job.inputs(), ledger}; }
     shadow::Saving saving(Omission o) const { return shadow::saving(o, plan(), drawn()); }
-    shadow::StageCycles cycles() const { return cycles_of(plan(), drawn()); }
+    shadow::FrameCycles cycles() const { return cycles_of(plan(), drawn()); }
     std::uint64_t everything() const { return total(cycles_of(shadow::FramePlan{}, drawn())); }
 };
 
@@ -57,10 +56,10 @@ ordered_json to_json(const Options& options, const Planned& planned) {
     ordered_json json{{"scene", options.scene},
                       {"size_px", planned.scene.settings.machine.size_px()},
                       {"patches", planned.scene.patches.size()},
-                      {"patches_outside_light", outside.light},
+                      {"patches_outside_light", outside.light[0]},
                       {"patches_outside_observer", outside.observer},
                       {"visible_pixels", planned.ledger.visible}};
-    const shadow::StageCycles cycles = planned.cycles();
+    const shadow::FrameCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k)
         json["stages"].push_back({{"stage", key_of(static_cast<FrameStage>(k))},
                                   {"cycles", cycles[k].total()},
@@ -68,7 +67,7 @@ ordered_json to_json(const Options& options, const Planned& planned) {
                                   {"divide", cycles[k].divide},
                                   {"noise", cycles[k].noise},
                                   {"store", cycles[k].store},
-                                  {"operations", cycles[k].operations}});
+                                  {"operations", cycles[k].operations.one_after_the_other()}});
     for (std::size_t k = 0; k < shadow::omission_count; ++k) {
         const auto o = static_cast<Omission>(k);
         const shadow::Saving s = planned.saving(o);
@@ -90,13 +89,14 @@ ordered_json to_json(const Options& options, const Planned& planned) {
 void print_stages(const Planned& planned) {
     fmt::print("{:<20}{:>12}{:>12}{:>12}{:>12}{:>14}{:>14}\n", "cycles of", "transform", "divide",
                "noise", "store", "operations", "in all");
-    const shadow::StageCycles cycles = planned.cycles();
+    const shadow::FrameCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k) {
-        const shadow::UnitCycles& c = cycles[k];
+        const shadow::StageCycles& c = cycles[k];
         fmt::print("{:<20}", name_of(static_cast<FrameStage>(k)));
         for (const std::uint64_t n : {c.transform, c.divide, c.noise, c.store})
             fmt::print("{:>12}", n == 0 ? "-" : grouped(n));
-        fmt::print("{:>14}", c.operations == 0 ? "-" : grouped(c.operations));
+        const std::uint64_t operations = c.operations.one_after_the_other();
+        fmt::print("{:>14}", operations == 0 ? "-" : grouped(operations));
         fmt::print("{:>14}\n", c.total() == 0 ? "left out" : grouped(c.total()));
     }
 }
@@ -107,7 +107,7 @@ void print_rows(const Options& options, const Planned& planned) {
     fmt::print("{}: {} x {} pixels, {} of them visible; {} patches, {} outside the light's view, "
                "{} outside the observer's\n\n",
                options.scene, size, size, grouped(planned.ledger.visible),
-               planned.scene.patches.size(), outside.light, outside.observer);
+               planned.scene.patches.size(), outside.light[0], outside.observer);
     print_stages(planned);
     fmt::print("\n{:<30}{:>12}   {}\n", "left out", "cycles", "because");
     bool starred = false;

@@ -62,6 +62,7 @@ std::string_view explain(Reason reason) {
         case Reason::outside_light: return "nothing visible lies in the light's volume";
         case Reason::nothing_shadowed: return "without the post-process the mask is all lit";
         case Reason::no_passes: return "it is set to 0 passes";
+        case Reason::graded: return "it follows edges, and the method's darkness is graded";
         case Reason::invisible_shadow: return "density is 0";
         case Reason::shadow_in_shading: return "the correct form's shadow is in the shading";
         case Reason::stands_still: return "nothing it is made from has changed";
@@ -80,7 +81,7 @@ std::vector<std::string> kept(const FramePlan& plan) {
     std::vector<std::string> keys;
     for (std::size_t k = static_cast<std::size_t>(Omission::same_light_map);
          k < shadow::omission_count; ++k)
-        if (plan.decisions[k].left_out) keys.emplace_back(omissions[k].key);
+        if (plan.leaves_out(static_cast<Omission>(k))) keys.emplace_back(omissions[k].key);
     return keys;
 }
 

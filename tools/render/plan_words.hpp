@@ -1,7 +1,7 @@
 // The words of a plan: what is left out, why, and from which stage.
 #pragma once
 
-#include "shadow/frame/plan_cost.hpp"
+#include "shadow/frame/costs.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

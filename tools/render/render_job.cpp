@@ -2,6 +2,8 @@
 
 #include "tools/scene/checks.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 
 namespace umbra78::tools {
@@ -18,9 +20,8 @@ double timed_ms(Stage stage) {
 
 }  // namespace
 
-RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings)
-    : inputs_{scene, settings, {}} {
-    load(nullptr);
+RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings) {
+    load({scene, settings, {}}, nullptr);
     if (settings.machine.z_bits <= 16) {
         allocate<hw::Depth16>();
     } else {
@@ -31,30 +32,45 @@ RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& setting
 template <class Depth>
 void RenderJob::allocate() {
     const hw::MachineSpec& machine = settings().machine;
-    const std::size_t patches = inputs_.scene.patches.size();
-    bytes_ = shadow::frame_bytes<Depth>(machine, patches);
-    memory_.reset(new (std::align_val_t{64}) std::byte[bytes_]);
-    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches);
+    patches_ = inputs_.scene.patches.size();
+    bytes_ = shadow::frame_bytes<Depth>(machine, patches_);
+    memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
+    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_);
 }
 
 void RenderJob::use(const shadow::Settings& settings) {
-    inputs_.settings = settings;
-    load(nullptr);
+    check_carved(inputs_.scene, settings);
+    load({inputs_.scene, settings, {}}, nullptr);
 }
 
 void RenderJob::advance(const shadow::Scene& scene, const shadow::Settings& settings) {
-    const shadow::FrameInputs before = inputs_;
-    inputs_ = {scene, settings, {}};
-    load(&before);
+    check_carved(scene, settings);
+    load({scene, settings, {}}, &inputs_);
 }
 
-void RenderJob::load(const shadow::FrameInputs* before) {
+void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings& settings) const {
+    const hw::MachineSpec &now = inputs_.settings.machine, &next = settings.machine;
+    if (next.xy_bits != now.xy_bits || next.z_bits != now.z_bits)
+        throw SceneError(fmt::format("this frame was made for xy_bits {} and z_bits {}: for {} and "
+                                     "{} make another",
+                                     now.xy_bits, now.z_bits, next.xy_bits, next.z_bits));
+    if (scene.patches.size() > patches_)
+        throw SceneError(fmt::format("this frame was made for {} patches: for {} make another",
+                                     patches_, scene.patches.size()));
+}
+
+// Matrices and plan are made aside and taken over last, so that a refusal changes nothing.
+void RenderJob::load(shadow::FrameInputs next, const shadow::FrameInputs* before) {
     auto status = shadow::FrameStatus::ok;
-    times_.matrices_ms = timed_ms([&] {
-        status = shadow::load_matrices(inputs_.scene, inputs_.settings, inputs_.matrices);
-        if (status == shadow::FrameStatus::ok) plan_ = shadow::make_plan(inputs_, before);
+    shadow::FramePlan plan;
+    const double ms = timed_ms([&] {
+        status = shadow::load_matrices(next.scene, next.settings, next.matrices);
+        if (status == shadow::FrameStatus::ok) plan = shadow::make_plan(next, before);
     });
     if (status != shadow::FrameStatus::ok) throw SceneError(explain(status));
+    inputs_ = next;
+    plan_ = plan;
+    times_.matrices_ms = ms;
 }
 
 void RenderJob::draw_light() {
@@ -92,14 +108,13 @@ void RenderJob::render() {
 shadow::FrameLedger RenderJob::ledger() const {
     return std::visit(
         [&](const auto& frame) {
-            return shadow::frame_ledger(inputs_.scene, inputs_.settings, inputs_.matrices,
-                                        frame, counts_);
+            return shadow::frame_ledger(inputs_, frame, counts_);
         },
         frame_);
 }
 
 shadow::MemoryLedger RenderJob::replay_memory() const {
-    const hw::MatrixWords& matrix = inputs_.matrices.observer_to_light;
+    const hw::MatrixWords& matrix = inputs_.matrices.lights[0].observer_to_light;
     const shadow::PostProcessPipeline plan(settings(), matrix);
     return std::visit(
         [&](const auto& frame) {
@@ -125,7 +140,7 @@ Buffer RenderJob::buffer(Plane plane) const {
     return std::visit(
         [&](const auto& frame) {
             if (plane == Plane::observer_z) return depth(frame.observer);
-            if (plane == Plane::light_z) return depth(frame.light);
+            if (plane == Plane::light_z) return depth(frame.lights[0].map);
             return Buffer{name_of(plane), spec.size_px(), 255, bytes(plane)};
         },
         frame_);
@@ -136,9 +151,9 @@ std::span<const std::uint8_t> RenderJob::bytes(Plane plane) const {
         [&](const auto& frame) -> std::span<const std::uint8_t> {
             switch (plane) {
                 case Plane::intensity: return frame.observer.intensity;
-                case Plane::mask: return frame.mask;
-                case Plane::edges: return frame.edges;
-                case Plane::filtered: return frame.filtered;
+                case Plane::mask: return frame.lights[0].mask;
+                case Plane::edges: return frame.lights[0].edges;
+                case Plane::filtered: return frame.lights[0].filtered;
                 case Plane::picture: return frame.picture;
                 default: return {};
             }

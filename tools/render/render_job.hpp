@@ -1,8 +1,9 @@
 // A frame as the program draws it: its memory, its stages with their times, and its cost on the
 // machine.
 //
-// The core works in memory handed in; this is who owns it. Stages are run one by one, so that
-// what stands still between two pictures is drawn once. Host times are wall clock, milliseconds.
+// The core works in memory that its caller hands in; a RenderJob owns that memory. Stages run one
+// by one, so that what does not change between two pictures is drawn once. Times of the host are
+// wall clock, in milliseconds.
 #pragma once
 
 #include "shadow/clocked/memory_replay.hpp"
@@ -52,11 +53,13 @@ public:
     // do not fit.
     RenderJob(const shadow::Scene&, const shadow::Settings&);
 
-    // Other settings for the stages that follow; the widths of X, Y and Z must stay.
+    // Other settings for the stages that follow. Throws SceneError, and leaves the job as it was,
+    // if xy_bits or z_bits differ from the frame's or the matrices do not fit.
     void use(const shadow::Settings&);
 
-    // The next frame of a sequence, after render(): what stands still will be kept. As many
-    // patches at most, the same widths; both scenes' spans must live.
+    // The next frame of a sequence, after render(): the stages keep what has not changed. The
+    // spans of both scenes must live. Throws SceneError, and leaves the job as it was, where use()
+    // does and if the scene has more patches than the first one.
     void advance(const shadow::Scene&, const shadow::Settings&);
 
     void draw_light();
@@ -77,7 +80,7 @@ public:
     shadow::MemoryLedger replay_memory() const;
     std::size_t frame_bytes() const { return bytes_; }
 
-    // A view into the frame, as it stands.
+    // A view into the frame's memory, as it is now.
     Buffer buffer(Plane) const;
     std::span<const std::uint8_t> bytes(Plane) const;  // of a plane of 8 bits
     std::vector<std::uint8_t> visible() const;         // 1 where something was drawn
@@ -85,18 +88,19 @@ public:
 private:
     struct Free {
         void operator()(std::byte* memory) const {
-            ::operator delete[](memory, std::align_val_t{64});
+            ::operator delete[](memory, std::align_val_t{shadow::frame_alignment});
         }
     };
     template <class Depth>
     void allocate();
-    void load(const shadow::FrameInputs* before);
+    void check_carved(const shadow::Scene&, const shadow::Settings&) const;
+    void load(shadow::FrameInputs next, const shadow::FrameInputs* before);
 
     shadow::FrameInputs inputs_;
     shadow::FramePlan plan_{};
     shadow::FrameCounts counts_{};
     StageTimes times_{};
-    std::size_t bytes_ = 0;
+    std::size_t bytes_ = 0, patches_ = 0;  // that the memory was carved for
     std::unique_ptr<std::byte[], Free> memory_;
     std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;
 };

@@ -27,7 +27,8 @@ ordered_json to_json(const ShadowError& error) {
 
 BiasReport bias_report(const raster::View& light, const RenderJob& job) {
     const shadow::BiasUnits units = shadow::bias_units(light, job.settings().machine);
-    const double quanta = std::ldexp(static_cast<double>(job.matrices().bias_quanta_q16), -16);
+    const double quanta = std::ldexp(static_cast<double>(job.matrices().lights[0].bias_quanta_q16),
+                                     -16);
     const double world = quanta / real(units.quanta_per_world);
     return {quanta, world * real(units.texels_per_world), world};
 }

@@ -35,7 +35,7 @@ struct LoadedScene {
     shadow::Settings settings;           // the file's, with the overrides applied
     std::vector<std::string> warnings;   // a caster outside the light's volume, ...
 
-    shadow::Scene view() const { return {patches, materials, observer, light}; }
+    shadow::Scene view() const { return {patches, materials, observer, {{light}}}; }
 };
 
 // `overrides` are "key=value" as --set takes them: a setting's key, observer.KEY or light.KEY.

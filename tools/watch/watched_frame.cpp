@@ -26,14 +26,11 @@ WatchedFrame::WatchedFrame(const shadow::Settings& settings,
       light_{settings_.machine.xy_bits, light_depth_, {}} {}
 
 WatchedFrame::WatchedFrame(const RenderJob& job)
-    : WatchedFrame(job.settings(), job.matrices().observer_to_light,
+    : WatchedFrame(job.settings(), job.matrices().lights[0].observer_to_light,
                    copy_of(job.buffer(Plane::observer_z)), copy_of(job.buffer(Plane::light_z))) {
-    if (settings_.form == shadow::Form::correct)
-        throw SceneError("the correct form has no post-process to watch; give --set "
-                         "form=post_process");
-    if (settings_.arithmetic == shadow::Arithmetic::ap120b)
-        throw SceneError("only the fixed-point machine can be watched; give --set "
-                         "arithmetic=fixed");
+    const shadow::Method& method = shadow::method_of(job.inputs());
+    if (method.trace != shadow::Trace::clocked_post_process)
+        throw SceneError(std::string(method.no_trace));
     const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
     std::copy(drawn.begin(), drawn.end(), intensity_.begin());
 }

@@ -88,7 +88,7 @@ struct Model {
     Rational texel(std::int64_t x, std::int64_t y) const {
         const int n = s.machine.size_px();
         if (x < 0 || y < 0 || x >= n || y >= n) return Rational(s.machine.background());
-        return Rational(frame.light.depth[frame.light.address(static_cast<int>(x),
+        return Rational(frame.lights[0].map.depth[frame.lights[0].map.address(static_cast<int>(x),
                                                               static_cast<int>(y))]);
     }
     Rational lerp(const Rational& a, const Rational& b, const Rational& f) const {
@@ -131,13 +131,13 @@ void expect_model(const char* what, const Scene& scene, const Settings& s, int s
     const Frame<> drawn(scene, s);
     ASSERT_EQ(drawn.status, FrameStatus::ok) << what;
     const Model model{s, drawn.buffers,
-                      raster::observer_to_light(scene.observer, scene.light, s.machine,
-                                                drawn.matrices.bias_quanta_q16)};
+                      raster::observer_to_light(scene.observer, scene.lights[0], s.machine,
+                                                drawn.matrices.lights[0].bias_quanta_q16)};
     std::array<std::array<Rational, 4>, 4> matrix;
     for (std::size_t r = 0; r < 4; ++r)
         for (std::size_t j = 0; j < 4; ++j) {
             matrix[r][j] = model.entry(r, j).reduced();
-            ASSERT_EQ(value(drawn.matrices.array[r][j]), matrix[r][j]) << what << r << j;
+            ASSERT_EQ(value(drawn.matrices.lights[0].array[r][j]), matrix[r][j]) << what << r << j;
         }
     const int n = s.machine.size_px();
     int seen = 0;
@@ -151,11 +151,12 @@ void expect_model(const char* what, const Scene& scene, const Settings& s, int s
             const std::size_t a = drawn.buffers.observer.address(x, y);
             const std::uint32_t code = drawn.buffers.observer.depth[a];
             if (code == s.machine.background()) {
-                ASSERT_EQ(drawn.buffers.mask[a], 0) << what << " x " << x << " y " << y;
+                ASSERT_EQ(drawn.buffers.lights[0].mask[a], 0) << what << " x " << x << " y " << y;
                 continue;
             }
             ++seen;
-            ASSERT_EQ(drawn.buffers.mask[a], model.shadow(x, y, code, d, matrix) ? 255 : 0)
+            ASSERT_EQ(drawn.buffers.lights[0].mask[a],
+                      model.shadow(x, y, code, d, matrix) ? 255 : 0)
                 << what << " x " << x << " y " << y;
         }
     }
@@ -180,7 +181,7 @@ TEST(ArrayPostProcess, IsItsDefinitionOnTheFigures) {
 TEST(ArrayPostProcess, IsItsDefinitionInPerspective) {
     const FigureScene f;
     Scene scene = f.scene();
-    scene.light = lamp();
+    scene.lights[0] = lamp();
     Settings s = on_array(figure_settings(4));
     s.machine.coefficient_bits = 24;
     expect_model("a lamp", scene, s, 64);
@@ -197,15 +198,15 @@ TEST(ArrayPostProcess, PointsAreExactToAFewOfTheirLastBits) {
     const Settings s = on_array(figure_settings(3));
     const Frame<> frame(f.scene(), s);
     const Model model{s, frame.buffers,
-                      raster::observer_to_light(f.scene().observer, f.scene().light, s.machine,
-                                                frame.matrices.bias_quanta_q16)};
+                      raster::observer_to_light(f.scene().observer, f.scene().lights[0], s.machine,
+                                                frame.matrices.lights[0].bias_quanta_q16)};
     std::array<Rational, 3> worst;
     for (int y = 3; y < 512; y += 29)
         for (int x = 0; x < 512; x += 7) {
             const std::uint32_t code =
                 frame.buffers.observer.depth[frame.buffers.observer.address(x, y)];
             if (code == s.machine.background()) continue;
-            const auto v = hw::ap120b::times(frame.matrices.array,
+            const auto v = hw::ap120b::times(frame.matrices.lights[0].array,
                                              array_words(x, y, code, s.machine));
             const std::array<Rational, 4> in{x, y, std::int64_t{code} - 32768, 1};
             for (std::size_t r = 0; r < 3; ++r) {
@@ -231,15 +232,16 @@ TEST(ArrayPostProcess, IsNearTheFixedMachine) {
         const Frame<> fixed(f.scene(), figure_settings(figure));
         const Settings s = on_array(figure_settings(figure));
         const Frame<> array(f.scene(), s);
-        EXPECT_EQ(array.counts.post_process.visible, fixed.counts.post_process.visible);
-        const hw::TransformUnit unit(s.machine, fixed.matrices.observer_to_light);
+        EXPECT_EQ(array.counts.lights[0].post_process.visible,
+                  fixed.counts.lights[0].post_process.visible);
+        const hw::TransformUnit unit(s.machine, fixed.matrices.lights[0].observer_to_light);
         for (int y = 100; y < 400; y += 7)
             for (int x = 0; x < 512; x += 5) {
                 const std::uint32_t code =
                     fixed.buffers.observer.depth[fixed.buffers.observer.address(x, y)];
                 if (code == s.machine.background()) continue;
                 const hw::Point p = unit(pixel_words(x, y, code, s));
-                const auto v = hw::ap120b::times(array.matrices.array,
+                const auto v = hw::ap120b::times(array.matrices.lights[0].array,
                                                  array_words(x, y, code, s.machine));
                 // In 1/128 pixel and in codes: half a unit of rounding and coefficients of 16 bits.
                 const auto off = [](const Float38& a, std::int64_t b, int scale) {
@@ -258,7 +260,8 @@ TEST(ArrayPostProcess, MemorySpeedAndClockChangeNoBit) {
     const FigureScene f;
     const Frame<> slow(f.scene(), on_array(figure_settings(4)));
     const Frame<> fast(f.scene(), on_array(figure_settings(4), MemorySpeed::fast));
-    umbra78::test::expect_equal_buffers("mask", 512, slow.buffers.mask, fast.buffers.mask);
+    umbra78::test::expect_equal_buffers("mask", 512, slow.buffers.lights[0].mask,
+                                        fast.buffers.lights[0].mask);
 }
 
 TEST(ArrayPostProcess, RefusesWhatItsHostCannotSend) {
@@ -288,7 +291,7 @@ TEST(ArrayMemory, AScanLineRunsInPlaceOnTheProcessor) {
         if (code == s.machine.background()) continue;
         const auto v = array_words(x, 300, code, s.machine);
         std::copy(v.begin(), v.end(), memory.begin() + static_cast<std::ptrdiff_t>(at));
-        expected.push_back(hw::ap120b::times(frame.matrices.array, v));
+        expected.push_back(hw::ap120b::times(frame.matrices.lights[0].array, v));
         at += 4;
     }
     ASSERT_GT(expected.size(), 100u);
@@ -296,7 +299,7 @@ TEST(ArrayMemory, AScanLineRunsInPlaceOnTheProcessor) {
         std::span<Float38, hw::ap120b::memory_words>(memory.data(), memory.size()),
         s.array_memory);
     const auto points = static_cast<std::uint16_t>(map.points);
-    run_transform(processor, frame.matrices.array, points, points,
+    run_transform(processor, frame.matrices.lights[0].array, points, points,
                   static_cast<std::uint16_t>(expected.size()));
     for (std::size_t k = 0; k < expected.size(); ++k)
         for (std::size_t r = 0; r < 4; ++r)
@@ -337,7 +340,8 @@ TEST(ArrayCost, IsTheSumOfItsSteps) {
                              Expected{4, MemorySpeed::fast, 193, 14849, 19, 2'028'668}}) {
         const Settings s = on_array(figure_settings(e.figure), e.speed);
         const Frame<> frame(f.scene(), s);
-        const ArrayCost c = array_cost(frame.counts.post_process, s, s.array_memory, true);
+        const ArrayCost c = array_cost(frame.counts.lights[0].post_process, s, s.array_memory,
+                                       true);
         EXPECT_EQ(c.pixels, 106772u);
         EXPECT_EQ(c.lines, 479u);
         EXPECT_EQ(c.cycles(), c.pixels * static_cast<std::uint64_t>(e.cycles_a_pixel));
@@ -422,7 +426,7 @@ TEST(ArrayCost, StandsInTheFramesLedger) {
     const Settings s = on_array(figure_settings(6));
     const auto ledger = [&](const Settings& settings) {
         const Frame<> frame(f.scene(), settings);
-        return frame_ledger(f.scene(), settings, frame.matrices, frame.buffers, frame.counts);
+        return frame_ledger({f.scene(), settings, frame.matrices}, frame.buffers, frame.counts);
     };
     const FrameLedger array = ledger(s), fixed = ledger(figure_settings(6));
     EXPECT_TRUE(array.on_array && !fixed.on_array);

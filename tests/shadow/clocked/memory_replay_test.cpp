@@ -215,7 +215,8 @@ TEST(MemoryReplay, OfTheFiguresFrame) {
     ASSERT_EQ(frame.status, FrameStatus::ok);
     const auto replay = [&](const Settings& with) {
         const MemoryLedger l =
-            replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, with, 3);
+            replay_memory(frame.buffers.observer, frame.matrices.lights[0].observer_to_light, with,
+                          3);
         expect_sums(l, with);
         return l;
     };
@@ -252,7 +253,7 @@ TEST(MemoryReplay, LedgersArePublished) {
         s.timing.light_banks = p.banks;
         const test::Frame<> frame(figures.scene(), s);
         const MemoryLedger l =
-            replay_memory(frame.buffers.observer, frame.matrices.observer_to_light, s,
+            replay_memory(frame.buffers.observer, frame.matrices.lights[0].observer_to_light, s,
                           p.slot_cycles);
         EXPECT_EQ((std::array{l.observer.row_misses, l.light.row_misses, l.mask.row_misses}),
                   p.row_misses);

@@ -195,7 +195,7 @@ TEST(ClockedPostProcess, AMillionPointsUnderRandomStalls) {
         for (hw::Depth16& z : light.depth) z = static_cast<hw::Depth16>(random.bits());
         FrameMatrices matrices;
         ASSERT_EQ(load_matrices(figures.scene(), s, matrices), FrameStatus::ok);
-        run_trial<hw::Depth16>(random, s, observer, light, matrices.observer_to_light,
+        run_trial<hw::Depth16>(random, s, observer, light, matrices.lights[0].observer_to_light,
                                16, sum);
         if (HasFailure()) return;
     }
@@ -209,11 +209,12 @@ TEST(ClockedPostProcess, FiguresTakeTheirClosedForm) {
     for (const int figure : {3, 4}) {
         const Settings s = figure_settings(figure);
         test::Frame<> frame(figures.scene(), s);
-        std::vector<std::uint8_t> mask(frame.buffers.mask.size());
+        std::vector<std::uint8_t> mask(frame.buffers.lights[0].mask.size());
         const auto machine = std::make_unique<Clocked<hw::Depth16>>(
-            frame.buffers.observer, frame.buffers.light, frame.matrices.observer_to_light, s, mask);
+            frame.buffers.observer, frame.buffers.lights[0].map,
+            frame.matrices.lights[0].observer_to_light, s, mask);
         while (!machine->done()) machine->tick();
-        umbra78::test::expect_equal_buffers("mask", 512, frame.buffers.mask, mask);
+        umbra78::test::expect_equal_buffers("mask", 512, frame.buffers.lights[0].mask, mask);
         const Schedule plain = schedule<hw::Depth16>(
             frame.buffers.observer.depth, s.machine.background(), machine->plan().read_cycles,
             machine->plan().slot_cycles);
@@ -258,9 +259,10 @@ bool found() {
     EXPECT_EQ(load_matrices(figures.scene(), s, matrices), FrameStatus::ok);
     std::vector<std::uint8_t> expected(1024), mask(1024);
     const PostProcessCounts counts =
-        post_process(observer.store, light.store, matrices.observer_to_light, s, expected);
+        post_process(observer.store, light.store, matrices.lights[0].observer_to_light, s,
+                     expected);
     const auto machine = std::make_unique<Clocked<hw::Depth16, Rule>>(
-        observer.store, light.store, matrices.observer_to_light, s, mask);
+        observer.store, light.store, matrices.lights[0].observer_to_light, s, mask);
     const auto holds = test::random_holds(random, machine->chain().stages(), 16384, 32);
     const auto writes = test::clock_frame(*machine, holds, 8 * holds.size());
     std::uint64_t cycles = 0;

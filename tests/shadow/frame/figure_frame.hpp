@@ -38,7 +38,7 @@ struct FigureScene {
     std::array<raster::Material, 1> materials{figure_material};
 
     Scene scene(std::int32_t azimuth_q16 = figure_azimuth_q16) const {
-        return {patches, materials, figure_view(0), figure_view(azimuth_q16)};
+        return {patches, materials, figure_view(0), {{figure_view(azimuth_q16)}}};
     }
 };
 

@@ -32,11 +32,12 @@ void expect_equal_counts(const FrameCounts& a, const FrameCounts& b) {
         EXPECT_EQ(x.hidden_blocks, y.hidden_blocks);
         EXPECT_EQ(x.unresolved, y.unresolved);
     };
-    drawn(a.light, b.light);
+    drawn(a.lights[0].map, b.lights[0].map);
     drawn(a.observer, b.observer);
-    EXPECT_EQ(a.post_process.visible, b.post_process.visible);
-    EXPECT_EQ(a.post_process.shadowed, b.post_process.shadowed);
-    EXPECT_EQ(a.chain_steps, b.chain_steps);
+    const LightCounts &x = a.lights[0], &y = b.lights[0];
+    EXPECT_EQ(x.post_process.visible, y.post_process.visible);
+    EXPECT_EQ(x.post_process.shadowed, y.post_process.shadowed);
+    EXPECT_EQ(x.chain_steps, y.chain_steps);
 }
 
 // --- memory -------------------------------------------------------------------------------------
@@ -63,10 +64,10 @@ TEST(FrameMemory, IsCarvedWithoutOverlap) {
         };
         add(f.observer.depth);
         add(f.observer.intensity);
-        add(f.light.depth);
-        add(f.mask);
-        add(f.edges);
-        add(f.filtered);
+        add(f.lights[0].map.depth);
+        add(f.lights[0].mask);
+        add(f.lights[0].edges);
+        add(f.lights[0].filtered);
         add(f.picture);
         add(f.edge_memory.visited);
         add(f.edge_memory.coverage);
@@ -74,8 +75,8 @@ TEST(FrameMemory, IsCarvedWithoutOverlap) {
         add(f.nearest);
         add(std::span(f.draw, 1));
         add(std::span(f.rows, 1));
-        EXPECT_TRUE(f.light.intensity.empty());
-        EXPECT_EQ(f.mask.size(), spec.xy_bits == 9 ? 262144u : 1u << (2 * xy));
+        EXPECT_TRUE(f.lights[0].map.intensity.empty());
+        EXPECT_EQ(f.lights[0].mask.size(), spec.xy_bits == 9 ? 262144u : 1u << (2 * xy));
         EXPECT_EQ(f.order.size(), patches);
         std::sort(pieces.begin(), pieces.end());
         EXPECT_GE(pieces.front().first, memory.span().data());
@@ -154,26 +155,28 @@ TEST(Frame, FiltersFollowEachOther) {
     const Settings s = filtered_settings();
     const Frame<> frame(figures.scene(), s);
     const auto none = static_cast<hw::Depth16>(s.machine.background());
-    const std::size_t n = frame.buffers.mask.size();
+    const std::size_t n = frame.buffers.lights[0].mask.size();
     std::vector<std::uint8_t> edges(n), once(n), twice(n), picture(n);
     std::vector<std::uint32_t> visited(edge_visited_words(9));
     std::vector<std::int16_t> coverage(edge_coverage_words(9));
-    const std::uint64_t steps = dequantize(std::span<const std::uint8_t>(frame.buffers.mask),
-                                           frame.buffers.observer, none, s.dequantize_passes,
+    const std::span<const std::uint8_t> mask = frame.buffers.lights[0].mask;
+    const std::uint64_t steps = dequantize(mask, frame.buffers.observer, none, s.dequantize_passes,
                                            {visited, coverage}, edges);
     low_pass<hw::Depth16>(edges, frame.buffers.observer, none, once);
     low_pass<hw::Depth16>(once, frame.buffers.observer, none, twice);
     composite(frame.buffers.observer.intensity, twice, s.density_q8, picture);
-    expect_equal_buffers("edges", 512, edges, frame.buffers.edges);
-    expect_equal_buffers("filtered", 512, twice, frame.buffers.filtered);
+    expect_equal_buffers("edges", 512, edges, frame.buffers.lights[0].edges);
+    expect_equal_buffers("filtered", 512, twice, frame.buffers.lights[0].filtered);
     expect_equal_buffers("picture", 512, picture, frame.buffers.picture);
-    EXPECT_EQ(steps, frame.counts.chain_steps);
+    EXPECT_EQ(steps, frame.counts.lights[0].chain_steps);
     EXPECT_GT(steps, 1000u);
 
     const Frame<> bare(figures.scene(), figure_settings(4));
-    expect_equal_buffers("edges off", 512, bare.buffers.mask, bare.buffers.edges);
-    expect_equal_buffers("low-pass off", 512, bare.buffers.mask, bare.buffers.filtered);
-    EXPECT_EQ(bare.counts.chain_steps, 0u);
+    expect_equal_buffers("edges off", 512, bare.buffers.lights[0].mask,
+                         bare.buffers.lights[0].edges);
+    expect_equal_buffers("low-pass off", 512, bare.buffers.lights[0].mask,
+                         bare.buffers.lights[0].filtered);
+    EXPECT_EQ(bare.counts.lights[0].chain_steps, 0u);
 }
 
 TEST(Frame, NothingIsLeftFromTheFrameBefore) {
@@ -229,13 +232,13 @@ TEST(Frame, AnEmptySceneIsAllBackground) {
             return std::all_of(plane.begin(), plane.end(), [&](auto v) { return v == value; });
         };
         EXPECT_TRUE(all(frame.buffers.observer.depth, 65535));
-        EXPECT_TRUE(all(frame.buffers.light.depth, 65535));
+        EXPECT_TRUE(all(frame.buffers.lights[0].map.depth, 65535));
         EXPECT_TRUE(all(frame.buffers.observer.intensity, 0));
-        EXPECT_TRUE(all(frame.buffers.mask, 0));
-        EXPECT_TRUE(all(frame.buffers.filtered, 0));
+        EXPECT_TRUE(all(frame.buffers.lights[0].mask, 0));
+        EXPECT_TRUE(all(frame.buffers.lights[0].filtered, 0));
         EXPECT_TRUE(all(frame.buffers.picture, 0));
-        EXPECT_EQ(frame.counts.post_process.visible, 0u);
-        EXPECT_EQ(frame.counts.chain_steps, 0u);
+        EXPECT_EQ(frame.counts.lights[0].post_process.visible, 0u);
+        EXPECT_EQ(frame.counts.lights[0].chain_steps, 0u);
     }
 }
 
@@ -269,8 +272,8 @@ TEST(Frame, SaysWhatCannotBeLoaded) {
     extreme.observer.target.z = INT32_MAX;
     EXPECT_EQ(status(extreme, s), FrameStatus::observer_matrix);
     extreme = scene;
-    extreme.light.far_depth = extreme.light.near_depth + 1;
-    extreme.light.target.x = INT32_MAX;
+    extreme.lights[0].far_depth = extreme.lights[0].near_depth + 1;
+    extreme.lights[0].target.x = INT32_MAX;
     EXPECT_EQ(status(extreme, s), FrameStatus::light_matrix);
 
     // A frame that cannot be loaded is not drawn.
@@ -342,7 +345,7 @@ TEST(Frame, HiddenBlocksChangeNothing) {
     const auto setup = [&](const hw::MatrixWords& matrix) {
         const hw::WordFormat object = eager.matrices.object;
         return raster::DrawSetup{s.machine, matrix, object, s.sampling, scene.materials,
-                                 {s.ambient_q8, raster::toward_eye(scene.light, object),
+                                 {s.ambient_q8, raster::toward_eye(scene.lights[0], object),
                                   raster::toward_eye(scene.observer, object)}};
     };
     FrameBuffers<hw::Depth16>& b = eager.buffers;
@@ -350,27 +353,28 @@ TEST(Frame, HiddenBlocksChangeNothing) {
         raster::order_front_to_back(scene.patches, view, b.order, b.nearest);
         std::reverse(b.order.begin(), b.order.end());
     };
-    b.light.clear(s.machine);
+    b.lights[0].map.clear(s.machine);
     b.observer.clear(s.machine);
-    Eager<raster::DepthSink<hw::Depth16>> light{{b.light}};
+    Eager<raster::DepthSink<hw::Depth16>> light{{b.lights[0].map}};
     Eager<raster::PictureSink<hw::Depth16>> picture{{b.observer}};
-    back_to_front(scene.light);
+    back_to_front(scene.lights[0]);
     const raster::DrawCounts a = raster::draw(
-        scene.patches, b.order, setup(eager.matrices.world_to_light), *b.draw, light);
+        scene.patches, b.order, setup(eager.matrices.lights[0].world_to_light), *b.draw, light);
     back_to_front(scene.observer);
     const raster::DrawCounts c = raster::draw(
         scene.patches, b.order, setup(eager.matrices.world_to_observer), *b.draw, picture);
-    expect_equal_buffers("light_z", 512, expected.buffers.light.depth, b.light.depth);
+    expect_equal_buffers("light_z", 512, expected.buffers.lights[0].map.depth,
+                         b.lights[0].map.depth);
     expect_equal_buffers("observer_z", 512, expected.buffers.observer.depth, b.observer.depth);
     expect_equal_buffers("intensity", 512, expected.buffers.observer.intensity,
                          b.observer.intensity);
     std::printf("samples drawn: light %zu of %zu, observer %zu of %zu\n",
-                static_cast<std::size_t>(expected.counts.light.samples),
+                static_cast<std::size_t>(expected.counts.lights[0].map.samples),
                 static_cast<std::size_t>(a.samples),
                 static_cast<std::size_t>(expected.counts.observer.samples),
                 static_cast<std::size_t>(c.samples));
     EXPECT_EQ(a.hidden_blocks + c.hidden_blocks, 0u);
-    EXPECT_GT(expected.counts.light.hidden_blocks, 0u);
+    EXPECT_GT(expected.counts.lights[0].map.hidden_blocks, 0u);
     EXPECT_LT(expected.counts.observer.samples, c.samples);
 }
 
@@ -398,7 +402,8 @@ TEST(Frame, WhatIsNotSeenChangesNothing) {
     const Frame<> got(scene, s);
     ASSERT_EQ(got.matrices.object.fraction, expected.matrices.object.fraction);
     expect_equal_frames(expected.buffers, got.buffers);
-    EXPECT_EQ(got.counts.post_process.visible, expected.counts.post_process.visible);
+    EXPECT_EQ(got.counts.lights[0].post_process.visible,
+              expected.counts.lights[0].post_process.visible);
     EXPECT_GT(got.counts.observer.patches, 2 * expected.counts.observer.patches);
 }
 
@@ -406,9 +411,9 @@ TEST(Frame, WhatIsNotSeenChangesNothing) {
 TEST(Frame, APointLightCastsShadows) {
     const FigureScene figures;
     Scene scene = figures.scene();
-    scene.light.projection = raster::Projection::perspective;
-    scene.light.distance = 8 << 16;
-    raster::fit_depth(scene.light, raster::depth_range(scene.light, scene.patches));
+    scene.lights[0].projection = raster::Projection::perspective;
+    scene.lights[0].distance = 8 << 16;
+    raster::fit_depth(scene.lights[0], raster::depth_range(scene.lights[0], scene.patches));
     Settings s = figure_settings(4);
     s.machine.xy_bits = 7;
     s.machine.coefficient_bits = 24;
@@ -416,9 +421,9 @@ TEST(Frame, APointLightCastsShadows) {
     const Frame<hw::Depth16> narrow(scene, s);
     const Frame<hw::Depth32> wide(scene, s);
     ASSERT_EQ(narrow.status, FrameStatus::ok);
-    EXPECT_FALSE(narrow.matrices.observer_to_light.affine);
+    EXPECT_FALSE(narrow.matrices.lights[0].observer_to_light.affine);
     expect_equal_frames(narrow.buffers, wide.buffers);
-    const PostProcessCounts& c = narrow.counts.post_process;
+    const PostProcessCounts& c = narrow.counts.lights[0].post_process;
     EXPECT_GT(c.shadowed, c.visible / 3);
     EXPECT_LT(c.shadowed, c.visible);
 }

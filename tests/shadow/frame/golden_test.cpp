@@ -114,15 +114,15 @@ std::vector<Plane> draw_figures() {
     const Frame<> array3(figures.scene(), array_figure_settings(3));
     const Frame<> array4(figures.scene(), array_figure_settings(4));
     return {plane("observer_z", three.buffers.observer.depth),
-            plane("light_z", three.buffers.light.depth),
+            plane("light_z", three.buffers.lights[0].map.depth),
             plane("intensity", three.buffers.observer.intensity),
-            plane("mask3", three.buffers.mask),
-            plane("mask4", four.buffers.mask),
-            plane("edges5", five.buffers.edges),
-            plane("filtered5", five.buffers.filtered),
+            plane("mask3", three.buffers.lights[0].mask),
+            plane("mask4", four.buffers.lights[0].mask),
+            plane("edges5", five.buffers.lights[0].edges),
+            plane("filtered5", five.buffers.lights[0].filtered),
             plane("picture6", six.buffers.picture),
-            plane("mask3_ap120b", array3.buffers.mask),
-            plane("mask4_ap120b", array4.buffers.mask)};
+            plane("mask3_ap120b", array3.buffers.lights[0].mask),
+            plane("mask4_ap120b", array4.buffers.lights[0].mask)};
 }
 
 TEST(Golden, EveryBufferOfTheFigures) {
@@ -167,12 +167,14 @@ TEST(Golden, FiguresShareTheirStages) {
     const Frame<> five(figures.scene(), figure_settings(5));
     const Frame<> six(figures.scene(), figure_settings(6));
     using umbra78::test::expect_equal_buffers;
-    expect_equal_buffers("light_z", 512, three.buffers.light.depth, six.buffers.light.depth);
+    expect_equal_buffers("light_z", 512, three.buffers.lights[0].map.depth,
+                         six.buffers.lights[0].map.depth);
     expect_equal_buffers("observer_z", 512, three.buffers.observer.depth,
                          six.buffers.observer.depth);
     expect_equal_buffers("intensity", 512, three.buffers.observer.intensity,
                          six.buffers.observer.intensity);
-    expect_equal_buffers("filtered", 512, five.buffers.filtered, six.buffers.filtered);
+    expect_equal_buffers("filtered", 512, five.buffers.lights[0].filtered,
+                         six.buffers.lights[0].filtered);
 }
 
 // --- the reader itself --------------------------------------------------------------------------

@@ -90,7 +90,7 @@ TEST(Ledger, ScheduleIsTheScan) {
 FrameLedger figure_ledger(const Settings& s, const Scene& scene) {
     const test::Frame<> frame(scene, s);
     EXPECT_EQ(frame.status, FrameStatus::ok);
-    return frame_ledger(scene, s, frame.matrices, frame.buffers, frame.counts);
+    return frame_ledger({scene, s, frame.matrices}, frame.buffers, frame.counts);
 }
 
 // Every phase is there, and the frame is their sum, with and without overlap.

@@ -28,12 +28,12 @@ constexpr std::size_t first_standing = static_cast<std::size_t>(Omission::same_l
 FramePlan only(const FramePlan& plan, std::size_t omission) {
     FramePlan one = plan;
     for (std::size_t k = 0; k < omission_count; ++k)
-        if (k != omission) one.decisions[k].left_out = false;
+        if (k != omission) one.at(static_cast<Omission>(k)).left_out = false;
     return one;
 }
 
 FramePlan put_back(FramePlan plan, std::size_t omission) {
-    plan.decisions[omission].left_out = false;
+    plan.at(static_cast<Omission>(omission)).left_out = false;
     return plan;
 }
 
@@ -53,7 +53,7 @@ TEST(FramePlan, LeavingOutChangesNoBit) {
         got.draw(plan);
         expect_equal_frames(expected.frame.buffers, got.frame.buffers);
         for (std::size_t k = 0; k < first_standing; ++k) {
-            if (!plan.decisions[k].left_out) continue;
+            if (!plan.leaves_out(static_cast<Omission>(k))) continue;
             seen.insert(k);
             for (const FramePlan& variant : {only(plan, k), put_back(plan, k)}) {
                 PlannedFrame other(planned);
@@ -78,8 +78,9 @@ TEST(FramePlan, DoingEverythingIsTheSameFrame) {
         draw_frame(FrameInputs{figures.scene(), s, expected.matrices}, FramePlan{}, got.buffers,
                    got.counts);
         expect_equal_frames(expected.buffers, got.buffers);
-        EXPECT_EQ(got.counts.post_process.visible, 512u * 512u);
-        EXPECT_EQ(got.counts.post_process.shadowed, expected.counts.post_process.shadowed);
+        EXPECT_EQ(got.counts.lights[0].post_process.visible, 512u * 512u);
+        EXPECT_EQ(got.counts.lights[0].post_process.shadowed,
+                  expected.counts.lights[0].post_process.shadowed);
     }
 }
 
@@ -140,11 +141,11 @@ TEST(FramePlan, CountsThePatchesOutside) {
     const auto outside = [](const char* name) {
         return make_plan(PlannedFrame(test::planned_scene(name)).inputs).outside;
     };
-    EXPECT_EQ(outside("figure 6").light, 0u);
+    EXPECT_EQ(outside("figure 6").light[0], 0u);
     EXPECT_EQ(outside("figure 6").observer, 0u);
-    EXPECT_EQ(outside("no caster").light, 128u);
+    EXPECT_EQ(outside("no caster").light[0], 128u);
     EXPECT_EQ(outside("no caster").observer, 0u);
-    EXPECT_EQ(outside("outside the light").light, 128u);
+    EXPECT_EQ(outside("outside the light").light[0], 128u);
     EXPECT_EQ(outside("outside the light").observer, 32u);
 }
 

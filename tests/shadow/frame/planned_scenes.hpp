@@ -20,7 +20,7 @@ struct PlannedScene {
     raster::View observer{}, light{};
     Settings settings{};
 
-    Scene scene() const { return {patches, materials, observer, light}; }
+    Scene scene() const { return {patches, materials, observer, {{light}}}; }
 };
 
 inline PlannedScene planned_figure(std::string name, int figure) {

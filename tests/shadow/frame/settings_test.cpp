@@ -1,9 +1,12 @@
 // The one table of settings: complete, consistent, and its accessors reach what they name.
-#include "shadow/frame/profiles.hpp"
 #include "shadow/frame/settings.hpp"
+
+#include "shadow/frame/ledger.hpp"
+#include "tests/shadow/frame/figure_frame.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -239,6 +242,118 @@ TEST(SettingsTable, RangesAreTheMachines) {
     }
 }
 
+// The machine's check and the parts' are the table's ranges, at both ends and one beyond.
+TEST(SettingsTable, RangesAreTheParts) {
+    for (const std::string_view key : {"multiply_ns", "add_ns", "register_ns"}) {
+        const Setting& row = *find_setting(key);
+        for (const std::int64_t v : {row.min - 1, row.min, row.max, row.max + 1}) {
+            Settings s;
+            row.set(s, v);
+            EXPECT_EQ(hw::check(s.timing) == hw::TimingStatus::ok, v >= row.min && v <= row.max)
+                << key << " " << v;
+        }
+    }
+    for (const std::string_view key : {"clock_ns", "noise_bits", "light_banks"}) {
+        const Setting& row = *find_setting(key);
+        Settings s;
+        for (const std::int64_t v : {row.min, row.max}) {
+            row.set(s, v);
+            EXPECT_EQ(hw::check(s.timing), hw::TimingStatus::ok) << key << " " << v;
+        }
+        row.set(s, row.min - 1);
+        EXPECT_NE(hw::check(s.timing), hw::TimingStatus::ok) << key;
+    }
+    EXPECT_EQ(find_setting("dequantize")->max, max_dequantize_passes);
+}
+
+TEST(SettingsTable, RangesAreThese) {
+    struct Range {
+        std::int64_t min, max;
+    };
+    constexpr std::int64_t one = 1;
+    const std::map<std::string_view, Range> expected{
+        {"xy_bits", {4, 12}},
+        {"z_bits", {4, 24}},
+        {"coefficient_bits", {8, 32}},
+        {"fraction_bits", {0, 12}},
+        {"multipliers", {1, 16}},
+        {"accumulator_bits", {16, 64}},
+        {"product_rounding", {0, 6}},
+        {"transform_rounding", {0, 6}},
+        {"coefficient_rounding", {0, 6}},
+        {"depth_rounding", {0, 6}},
+        {"divide_order", {0, 1}},
+        {"sampling", {0, 1}},
+        {"registration", {0, 1}},
+        {"lookup", {0, 1}},
+        {"background", {0, 1}},
+        {"bias", {-(one << 40), one << 40}},
+        {"bias_unit", {0, 2}},
+        {"dither", {0, 4}},
+        {"dither_size", {0, 1024}},
+        {"dither_seed", {1, 2147483647}},
+        {"dequantize", {0, 6}},
+        {"low_pass", {0, 8}},
+        {"ambient", {0, 256}},
+        {"density", {0, 256}},
+        {"form", {0, 1}},
+        {"arithmetic", {0, 1}},
+        {"array_memory", {0, 1}},
+        {"clock_ns", {100, 10000}},
+        {"multiply_ns", {1, 400}},
+        {"add_ns", {1, 150}},
+        {"register_ns", {0, 40}},
+        {"divider", {0, 1}},
+        {"noise_bits", {1, 1024}},
+        {"light_banks", {1, 4}},
+        {"dram_access_ns", {1, 1000}},
+        {"dram_cycle_ns", {1, 1000}},
+        {"dram_column_ns", {1, 1000}},
+        {"dram_page_ns", {0, 1000}},
+        {"dram_rows", {0, 1}},
+        {"video", {0, 2}}};
+    EXPECT_EQ(expected.size(), settings_table().size());
+    for (const Setting& row : settings_table()) {
+        const auto found = expected.find(row.key);
+        ASSERT_NE(found, expected.end()) << row.key;
+        EXPECT_EQ(row.min, found->second.min) << row.key;
+        EXPECT_EQ(row.max, found->second.max) << row.key;
+    }
+}
+
+// Both ends of every range can be drawn and costed, each by itself and all together.
+TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
+    int drawn = 0;
+    const auto draw = [&](Settings s, std::string_view what) {
+        s.machine.xy_bits = std::min(s.machine.xy_bits, 5);
+        if (!closes(s)) return;
+        const test::FigureScene figures;
+        test::Frame<hw::Depth32> frame(s.machine, figures.patches.size());
+        const FrameStatus status = frame.draw(figures.scene(), s);
+        EXPECT_TRUE(status == FrameStatus::ok || what == "bias" || what == "all") << what;
+        if (status != FrameStatus::ok) return;
+        const FrameInputs in{figures.scene(), s, frame.matrices};
+        EXPECT_GT(frame_ledger(in, frame.buffers, frame.counts).total(true), 0u) << what;
+        ++drawn;
+    };
+    Settings low, high;
+    for (const Setting& row : settings_table()) {
+        for (const std::int64_t v : {row.min, row.max}) {
+            Settings s = figure_settings(6);
+            row.set(s, v);
+            draw(s, row.key);
+        }
+        row.set(low, row.min);
+        row.set(high, row.max);
+    }
+    high.form = Form::post_process;
+    low.bias_q16 = high.bias_q16 = 0;
+    high.machine.z_bits = 16;
+    draw(low, "all");
+    draw(high, "all");
+    EXPECT_GT(drawn, 70);
+}
+
 // What the machine's checks refuse within the table's ranges.
 TEST(SettingsTable, GapsAreRefused) {
     Settings s;
@@ -261,28 +376,6 @@ TEST(SettingsTable, GapsAreRefused) {
     s.machine.z_bits = 16;
     s.form = Form::correct;
     EXPECT_FALSE(closes(s));
-}
-
-TEST(Profiles, AreMachinesThatClose) {
-    std::set<std::string_view> names;
-    for (const Profile& p : profiles()) {
-        EXPECT_TRUE(names.insert(p.name).second) << p.name;
-        EXPECT_FALSE(p.meaning.empty()) << p.name;
-        EXPECT_EQ(find_setting(p.name), nullptr) << p.name;
-        Settings s;
-        apply(p, s);
-        EXPECT_TRUE(closes(s)) << p.name;
-        for (const ProfileValue& v : p.values) {
-            const Setting* row = find_setting(v.key);
-            ASSERT_NE(row, nullptr) << p.name << " " << v.key;
-            EXPECT_GE(v.word, row->min) << p.name << " " << v.key;
-            EXPECT_LE(v.word, row->max) << p.name << " " << v.key;
-            EXPECT_EQ(row->get(s), v.word) << p.name << " " << v.key;
-            EXPECT_FALSE(v.source.empty()) << p.name << " " << v.key;
-        }
-        EXPECT_EQ(find_profile(p.name), &p);
-    }
-    EXPECT_TRUE(names.contains("affine16") && names.contains("perspective24"));
 }
 
 }  // namespace

@@ -54,13 +54,13 @@ template <class Depth>
 void expect_variant(const std::string& name, const Scene& scene, const Settings& settings) {
     test::Frame<Depth> f(scene, settings);
     ASSERT_EQ(f.status, FrameStatus::ok);
-    EXPECT_EQ(f.counts.light.unresolved + f.counts.observer.unresolved, 0u);
+    EXPECT_EQ(f.counts.lights[0].map.unresolved + f.counts.observer.unresolved, 0u);
     const int size = settings.machine.size_px();
     expect_documented(name, "observer_z", hash<Depth>(f.buffers.observer.depth, size));
-    expect_documented(name, "light_z", hash<Depth>(f.buffers.light.depth, size));
+    expect_documented(name, "light_z", hash<Depth>(f.buffers.lights[0].map.depth, size));
     expect_documented(name, "intensity",
                       hash<std::uint8_t>(f.buffers.observer.intensity, size));
-    expect_documented(name, "mask", hash<std::uint8_t>(f.buffers.mask, size));
+    expect_documented(name, "mask", hash<std::uint8_t>(f.buffers.lights[0].mask, size));
 }
 
 // The mask alone, on the AP-120B: section 18's table.
@@ -68,7 +68,7 @@ void expect_on_array(const std::string& name, const Scene& scene, Settings setti
     apply(*find_profile("ap120b"), settings);
     test::Frame<> f(scene, settings);
     ASSERT_EQ(f.status, FrameStatus::ok);
-    expect_documented(name, "mask_ap120b", hash<std::uint8_t>(f.buffers.mask, 512));
+    expect_documented(name, "mask_ap120b", hash<std::uint8_t>(f.buffers.lights[0].mask, 512));
 }
 
 // The four spheres on a floor of 6 by 6 units.
@@ -128,7 +128,7 @@ TEST(Variants, short_accumulator) {
     const test::Frame<> f(s.scene(), set);
     ASSERT_EQ(f.status, FrameStatus::ok);
     expect_documented("a short accumulator | figure 3's, A = 22", "mask3_short",
-                      hash<std::uint8_t>(f.buffers.mask, 512));
+                      hash<std::uint8_t>(f.buffers.lights[0].mask, 512));
 }
 
 // The constant of each row is cut, too: 100 quanta of bias are no multiple of what is left.
@@ -141,7 +141,7 @@ TEST(Variants, shorter_accumulator_rounded) {
     const test::Frame<> f(s.scene(), set);
     ASSERT_EQ(f.status, FrameStatus::ok);
     expect_documented("a shorter one, rounded | A = 16, product_rounding half_up, bias 100",
-                      "mask3_shorter", hash<std::uint8_t>(f.buffers.mask, 512));
+                      "mask3_shorter", hash<std::uint8_t>(f.buffers.lights[0].mask, 512));
 }
 
 TEST(Variants, short_accumulators_that_divide_or_draw) {
@@ -150,10 +150,11 @@ TEST(Variants, short_accumulators_that_divide_or_draw) {
     set.machine.coefficient_bits = 24;
     set.machine.max_accumulator_bits = 22;
     const Scene scene{floor.patches, floor.materials, floor.perspective_observer(),
-                      floor.point_light()};
+                      {{floor.point_light()}}};
     const test::Frame<> divided(scene, set);
     ASSERT_EQ(divided.status, FrameStatus::ok);
-    expect_documented("point, A = 22", "mask", hash<std::uint8_t>(divided.buffers.mask, 512));
+    expect_documented("point, A = 22", "mask",
+                      hash<std::uint8_t>(divided.buffers.lights[0].mask, 512));
 
     const test::FigureScene s;
     Settings correct = figure_four();
@@ -161,7 +162,8 @@ TEST(Variants, short_accumulators_that_divide_or_draw) {
     correct.machine.max_accumulator_bits = 20;
     const test::Frame<> drawn(s.scene(), correct);
     ASSERT_EQ(drawn.status, FrameStatus::ok);
-    expect_documented("correct, A = 20", "mask", hash<std::uint8_t>(drawn.buffers.mask, 512));
+    expect_documented("correct, A = 20", "mask",
+                      hash<std::uint8_t>(drawn.buffers.lights[0].mask, 512));
 }
 
 TEST(Variants, index_registration) {
@@ -212,7 +214,7 @@ TEST(Variants, perspective_observer) {
     FloorScene s;
     Settings set = figure_four();
     set.machine.coefficient_bits = 24;
-    const Scene scene{s.patches, s.materials, s.perspective_observer(), s.far_light()};
+    const Scene scene{s.patches, s.materials, s.perspective_observer(), {{s.far_light()}}};
     expect_variant<hw::Depth16>("perspective", scene, set);
     expect_on_array("perspective", scene, set);
 }
@@ -221,7 +223,7 @@ TEST(Variants, point_light) {
     FloorScene s;
     Settings set = figure_four();
     set.machine.coefficient_bits = 24;
-    const Scene scene{s.patches, s.materials, s.perspective_observer(), s.point_light()};
+    const Scene scene{s.patches, s.materials, s.perspective_observer(), {{s.point_light()}}};
     expect_variant<hw::Depth16>("point", scene, set);
     expect_on_array("point", scene, set);
 }

@@ -60,8 +60,11 @@ bool applies(const shadow::Profile& profile, const shadow::Settings& settings) {
     shadow::apply(profile, both);
     const bool same_passes =
         (its.machine.coefficient_bits > 16) == (settings.machine.coefficient_bits > 16);
-    return its.arithmetic == settings.arithmetic &&
-           (its.arithmetic == shadow::Arithmetic::ap120b || same_passes) && shadow::closes(both);
+    const shadow::Method *its_method = shadow::method_of(its), *method =
+    shadow::method_of(settings);
+    return its_method != nullptr && method != nullptr &&
+           its_method->arithmetic == method->arithmetic &&
+           (!method->uses_transform_unit || same_passes) && shadow::closes(both);
 }
 
 void set_cycles(Row& row, const std::string& prefix, const RenderJob& job) {

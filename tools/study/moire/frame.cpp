@@ -67,7 +67,7 @@ std::vector<std::uint8_t> mask_with_restarted_rows(const RenderJob& job) {
     std::vector<hw::Depth16> held(map_z.begin(), map_z.end());  // a store's words are not const
     const hw::FrameStore<hw::Depth16> store{s.machine.xy_bits, held, {}};
     const shadow::LightMap<hw::Depth16> map{store, s.machine, s.lookup, s.background};
-    const hw::TransformUnit unit(s.machine, job.matrices().observer_to_light);
+    const hw::TransformUnit unit(s.machine, job.matrices().lights[0].observer_to_light);
 
     std::vector<std::uint8_t> mask(z.size());
     for (int y = 0; y < s.machine.size_px(); ++y) {

@@ -113,7 +113,8 @@ MoireFrame draw_moire(const Request& request, const Case& c, const TruthCache& t
         const auto mask = job.bytes(Plane::mask);
         frame.mask.assign(mask.begin(), mask.end());
     }
-    frame.bias_quanta = std::ldexp(static_cast<double>(job.matrices().bias_quanta_q16), -16);
+    const std::int64_t bias_q16 = job.matrices().lights[0].bias_quanta_q16;
+    frame.bias_quanta = std::ldexp(static_cast<double>(bias_q16), -16);
     return frame;
 }
 

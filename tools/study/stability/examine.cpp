@@ -112,7 +112,7 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     f.cycles = static_cast<std::int64_t>(job.ledger().total(true));
     const TransformError t = transform_error(
         raster::observer_to_light(scene.observer, scene.light, scene.settings.machine,
-                                  job.matrices().bias_quanta_q16),
+                                  job.matrices().lights[0].bias_quanta_q16),
         scene.settings.machine);
     f.error = t.worst;
     f.bound = t.bound;

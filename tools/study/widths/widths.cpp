@@ -129,8 +129,9 @@ Row WidthsStudy::run(const Request& request, const Case& c) const {
 
     Row row;
     set_rates(row, errors);
+    const std::int64_t bias_q16 = job.matrices().lights[0].bias_quanta_q16;
     set_in_three_units(row, "bias", light_units(scene),
-                       std::ldexp(static_cast<double>(job.matrices().bias_quanta_q16), -16));
+                       std::ldexp(static_cast<double>(bias_q16), -16));
     row.set("word_bits", whole(machine.word_bits()));
     row.set("built_accumulator_bits", whole(machine.built_bits()));
     row.set("light_map_bytes",

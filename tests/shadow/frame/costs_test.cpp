@@ -1,5 +1,5 @@
 // The cost of a plan: the closed forms, and savings that add up to the difference.
-#include "shadow/frame/plan_cost.hpp"
+#include "shadow/frame/costs.hpp"
 
 #include "tests/shadow/frame/planned_scenes.hpp"
 #include "tests/support/effort.hpp"
@@ -13,8 +13,7 @@ using test::PlannedFrame;
 using test::PlannedScene;
 
 FrameLedger ledger_of(const PlannedFrame& f) {
-    return frame_ledger(f.inputs.scene, f.inputs.settings, f.inputs.matrices, f.frame.buffers,
-                        f.frame.counts);
+    return frame_ledger(f.inputs, f.frame.buffers, f.frame.counts);
 }
 
 TEST(PlanCost, SavingsAddUp) {
@@ -45,9 +44,9 @@ TEST(PlanCost, IsTheClosedForm) {
     f.draw(plan);
     const FrameLedger ledger = ledger_of(f);
     const std::uint64_t seen = ledger.visible, n = 128 * 128;
-    ASSERT_EQ(seen, f.frame.counts.post_process.visible);
+    ASSERT_EQ(seen, f.frame.counts.lights[0].post_process.visible);
     const DrawnFrame drawn{f.inputs, ledger};
-    const StageCycles c = cycles_of(plan, drawn);
+    const FrameCycles c = cycles_of(plan, drawn);
     EXPECT_EQ(c[0].transform, 128u * 16 * 3);
     EXPECT_EQ(c[1].transform, 128u * 16 * 3);
     // The ledger's drawing, whose multipliers have the control points too.

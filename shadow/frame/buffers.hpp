@@ -1,0 +1,72 @@
+// A frame's buffers, carved from one piece of the caller's memory, and what a frame counts.
+//
+// Every plane has size_px^2 words, row by row from the top. A frame of 512 x 512 pixels with
+// 16-bit Z, one light and the 128 patches of the figures takes 3 003 584 bytes.
+#pragma once
+
+#include "hw/frame_store.hpp"
+#include "raster/draw.hpp"
+#include "shadow/filters/dequantize.hpp"
+#include "shadow/frame/inputs.hpp"
+#include "shadow/post_process.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace umbra78::shadow {
+
+// The planes that each light has. Darkness is 0 (lit) to 255 (in shadow).
+template <class Depth>
+struct LightBuffers {
+    hw::FrameStore<Depth> map;         // the light's depth map; it has no intensity
+    std::span<std::uint8_t> mask;      // the darkness, as the method wrote it
+    std::span<std::uint8_t> edges;     // after dequantizing; = mask where that is off
+    std::span<std::uint8_t> filtered;  // after the low-pass; = edges where that is off
+};
+
+template <class Depth>
+struct FrameBuffers {
+    hw::FrameStore<Depth> observer;
+    std::array<LightBuffers<Depth>, max_lights> lights;
+    std::span<std::uint8_t> picture;
+    EdgeMemory edge_memory;
+    std::span<std::uint32_t> order;      // a word a patch
+    std::span<std::int64_t> nearest;     // a word a patch
+    raster::DrawMemory* draw = nullptr;
+    RowMemory* rows = nullptr;
+    std::span<std::byte> method_memory;  // the caller's, for a method whose row says may_run_out
+};
+
+// The alignment of a frame's memory, in bytes: each buffer starts a line of the host's cache.
+inline constexpr std::size_t frame_alignment = 64;
+
+template <class Depth>
+std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches, std::size_t lights = 1);
+
+// `memory` has at least frame_bytes() bytes and is aligned to frame_alignment. Traps otherwise,
+// and for widths out of range.
+template <class Depth>
+FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
+                          std::size_t patches, std::size_t lights = 1);
+
+// Whether a method had room for what it keeps, and how many things it needed room for.
+struct Capacity {
+    bool enough = true;
+    std::uint64_t needed = 0;
+};
+
+struct LightCounts {
+    raster::DrawCounts map;
+    PostProcessCounts post_process;  // correct form: visible is every generated point
+    std::uint64_t chain_steps = 0;   // that dequantizing followed
+    Capacity capacity;
+};
+
+struct FrameCounts {
+    std::array<LightCounts, max_lights> lights;
+    raster::DrawCounts observer;
+};
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,63 @@
+// Drawing a view of a frame into one of its stores: what the stages and the methods share.
+#pragma once
+
+#include "shadow/frame/buffers.hpp"
+#include "shadow/frame/plan.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace umbra78::shadow {
+
+// The check at a stage's entry: the buffers have the sizes that the settings and the scene ask for.
+template <class Depth>
+void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
+    const hw::MachineSpec& m = in.settings.machine;
+    const std::size_t pixels = std::size_t{1} << (2 * m.xy_bits);
+    bool fits = frame.observer.xy_bits == m.xy_bits && frame.observer.depth.size() == pixels &&
+                frame.observer.intensity.size() == pixels && frame.picture.size() == pixels;
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
+        const LightBuffers<Depth>& light = frame.lights[l];
+        fits = fits && light.map.xy_bits == m.xy_bits && light.map.depth.size() == pixels &&
+               light.mask.size() == pixels && light.edges.size() == pixels &&
+               light.filtered.size() == pixels;
+    }
+    fixed::require(fits, "frame carved for other widths than the settings have");
+    fixed::require(m.z_bits <= static_cast<int>(8 * sizeof(Depth)),
+                   "frame carved for fewer bits of Z than the settings have");
+    fixed::require(in.scene.patches.size() <= frame.order.size() &&
+                       in.scene.patches.size() <= frame.nearest.size(),
+                   "frame carved for fewer patches than the scene has");
+}
+
+// Surfaces are shaded by the first light.
+inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan,
+                                    const hw::MatrixWords& matrix) {
+    const hw::WordFormat object = in.matrices.object;
+    return {in.settings.machine,
+            matrix,
+            object,
+            in.settings.sampling,
+            in.scene.materials,
+            {in.settings.ambient_q8, raster::toward_eye(in.scene.lights[0], object),
+             raster::toward_eye(in.scene.observer, object)},
+            plan.unit_work()};
+}
+
+// Draws into what the store holds; the sink decides whether a sample replaces what is there.
+template <class Depth, class Sink>
+raster::DrawCounts draw_view(const FrameInputs& in, const FramePlan& plan, const raster::View& view,
+                             const hw::MatrixWords& matrix, FrameBuffers<Depth>& frame,
+                             Sink& sink) {
+    const std::span order = frame.order.first(in.scene.patches.size());
+    raster::order_front_to_back(in.scene.patches, view, order, frame.nearest);
+    return raster::draw(in.scene.patches, order, draw_setup(in, plan, matrix), *frame.draw, sink);
+}
+
+// What the plain post-process does under a plan.
+inline PostProcessWork work_of(const FramePlan& plan) {
+    return {plan.unit_work(), !plan.leaves_out(Omission::background_pixels),
+            !plan.leaves_out(Omission::noise)};
+}
+
+}  // namespace umbra78::shadow

@@ -1,0 +1,215 @@
+#include "shadow/frame/methods.hpp"
+
+#include "shadow/ap120b/post_process.hpp"
+#include "shadow/correct_form.hpp"
+#include "shadow/frame/costs.hpp"
+#include "shadow/frame/drawing.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace umbra78::shadow {
+namespace {
+
+hw::UnitCycles fixed_units(const hw::Operations& o, const Settings& s) {
+    return hw::unit_cycles(o, s.machine);
+}
+
+// --- the post-process ----------------------------------------------------------------------------
+
+template <class Depth>
+void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+                       FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    LightBuffers<Depth>& light = frame.lights[l];
+    const hw::MatrixWords& matrix = in.matrices.lights[l].observer_to_light;
+    PostProcessCounts& counted = counts.lights[l].post_process;
+    if constexpr (sizeof(Depth) == sizeof(hw::Depth16)) {
+        if (work_of(plan) == needed_work(in.settings) && rows_cover(in.settings, matrix)) {
+            counted = post_process_rows(frame.observer, light.map, matrix, in.settings,
+                                        *frame.rows, light.mask);
+            return;
+        }
+    }
+    counted = post_process(frame.observer, light.map, matrix, in.settings, work_of(plan),
+                           light.mask);
+}
+
+// The schedule of the observer's visible pixels through the clocked stages.
+template <class Depth>
+void cost_of_post_process(const FrameInputs& in, std::size_t l, const FrameBuffers<Depth>& frame,
+                          const FrameCounts&, FrameLedger& ledger) {
+    const PostProcessPipeline pipeline(in.settings, in.matrices.lights[l].observer_to_light);
+    ledger.post_process = closed_form(
+        schedule<Depth>(frame.observer.depth, in.settings.machine.background(),
+                        pipeline.read_cycles, pipeline.slot_cycles),
+        pipeline);
+}
+
+template <class Depth>
+constexpr MethodStages<Depth> post_process_stages{nullptr, cast_post_process<Depth>,
+                                                  cost_of_post_process<Depth>};
+
+// --- the correct form ----------------------------------------------------------------------------
+
+template <class Depth>
+void draw_correct_form(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
+                       FrameCounts& counts) {
+    fixed::require(in.scene.light_count == 1, "the correct form shades by one light");
+    LightBuffers<Depth>& light = frame.lights[0];
+    const Settings& settings = in.settings;
+    const hw::TransformUnit unit(settings.machine, in.matrices.lights[0].observer_to_light,
+                                 plan.unit_work());
+    const LightMap<Depth> map{light.map, settings.machine, settings.lookup, settings.background};
+    CorrectSink<Depth> sink(frame.observer, map, unit, settings, light.mask,
+                            work_of(plan).noise);
+    counts.observer = draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame,
+                                sink);
+}
+
+template <class Depth>
+void count_correct_form(const FrameInputs&, const FramePlan&, std::size_t l,
+                        FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    const std::span<const std::uint8_t> mask = frame.lights[l].mask;
+    counts.lights[l].post_process.visible = counts.observer.samples;
+    counts.lights[l].post_process.shadowed =
+        static_cast<std::uint64_t>(std::count(mask.begin(), mask.end(), mask_shadow));
+}
+
+// Each generated point goes through the same stages, at the slots' pace.
+template <class Depth>
+void cost_of_correct_form(const FrameInputs& in, std::size_t l, const FrameBuffers<Depth>&,
+                          const FrameCounts&, FrameLedger& ledger) {
+    const PostProcessPipeline pipeline(in.settings, in.matrices.lights[l].observer_to_light);
+    const std::uint64_t points = ledger.observer_counts.samples;
+    const int pace = std::max(pipeline.slot_cycles, pipeline.read_cycles);
+    Schedule s;
+    s.visible = s.pixels = points;
+    if (points > 0) s.last_issue = (points - 1) * static_cast<std::uint64_t>(pace);
+    ledger.post_process = closed_form(s, pipeline);
+}
+
+template <class Depth>
+constexpr MethodStages<Depth> correct_stages{draw_correct_form<Depth>, count_correct_form<Depth>,
+                                             cost_of_correct_form<Depth>};
+
+// --- the AP-120B ---------------------------------------------------------------------------------
+
+void load_array(const hw::RationalMatrix& exact, const Settings& settings, LightMatrices& out) {
+    out.array = array_matrix(exact, settings);
+}
+
+hw::UnitCycles array_units(const hw::Operations& o, const Settings& s) {
+    return hw::ap120b_cycles(o, s.array_memory == hw::ap120b::MemorySpeed::fast ? 1 : 2);
+}
+
+template <class Depth>
+void cast_on_array(const FrameInputs& in, const FramePlan&, std::size_t l,
+                   FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    const LightMatrices& m = in.matrices.lights[l];
+    counts.lights[l].post_process =
+        array_post_process(frame.observer, frame.lights[l].map, m.array,
+                           m.observer_to_light.affine, in.settings, frame.lights[l].mask);
+}
+
+template <class Depth>
+void cost_on_array(const FrameInputs& in, std::size_t l, const FrameBuffers<Depth>&,
+                   const FrameCounts& counts, FrameLedger& ledger) {
+    ledger.on_array = true;
+    ledger.array = array_cost(counts.lights[l].post_process, in.settings,
+                              in.settings.array_memory,
+                              in.matrices.lights[l].observer_to_light.affine);
+}
+
+template <class Depth>
+constexpr MethodStages<Depth> array_stages{nullptr, cast_on_array<Depth>, cost_on_array<Depth>};
+
+// --- the table -----------------------------------------------------------------------------------
+
+constexpr std::array<Method, 3> table{{
+    {.name = "post_process",
+     .meaning = "visible pixels are tested after the picture is drawn (Williams 1978)",
+     .cannot = "a highlight in shadow is darkened and not left out",
+     .form = Form::post_process,
+     .arithmetic = Arithmetic::fixed,
+     .max_z_bits = 24,
+     .depth_layers = 1,
+     .surfaces = Surfaces::patches,
+     .plane = ExtraPlane::none,
+     .darkness = Darkness::binary,
+     .may_run_out = false,
+     .uses_transform_unit = true,
+     .trace = Trace::clocked_post_process,
+     .no_trace = "",
+     .no_plan_cost = "",
+     .load = nullptr,
+     .units = fixed_units,
+     .scene_cost = nullptr,
+     .plan_cost = post_process_cycles,
+     .stages16 = post_process_stages<hw::Depth16>,
+     .stages32 = post_process_stages<hw::Depth32>},
+    {.name = "correct",
+     .meaning = "each generated point is tested before it is shaded (Williams 1978, p. 272)",
+     .cannot = "its cost grows with everything that is drawn; it shades by one light",
+     .form = Form::correct,
+     .arithmetic = Arithmetic::fixed,
+     .max_z_bits = 24,
+     .depth_layers = 1,
+     .surfaces = Surfaces::patches,
+     .plane = ExtraPlane::none,
+     .darkness = Darkness::binary,
+     .may_run_out = false,
+     .uses_transform_unit = true,
+     .trace = Trace::none,
+     .no_trace = "the correct form has no post-process to watch; give --set form=post_process",
+     .no_plan_cost = "",
+     .load = nullptr,
+     .units = fixed_units,
+     .scene_cost = nullptr,
+     .plan_cost = post_process_cycles,
+     .stages16 = correct_stages<hw::Depth16>,
+     .stages32 = correct_stages<hw::Depth32>},
+    {.name = "ap120b",
+     .meaning = "the post-process in the floating point of an FPS AP-120B",
+     .cannot = "no correct form, and z_bits up to 16, because the host sends 16-bit integers",
+     .form = Form::post_process,
+     .arithmetic = Arithmetic::ap120b,
+     .max_z_bits = 16,
+     .depth_layers = 1,
+     .surfaces = Surfaces::patches,
+     .plane = ExtraPlane::none,
+     .darkness = Darkness::binary,
+     .may_run_out = false,
+     .uses_transform_unit = false,
+     .trace = Trace::none,
+     .no_trace = "only the fixed-point machine can be watched; give --set arithmetic=fixed",
+     .no_plan_cost = "only the fixed-point machine has a plan; give --set arithmetic=fixed",
+     .load = load_array,
+     .units = array_units,
+     .scene_cost = nullptr,
+     .plan_cost = nullptr,
+     .stages16 = array_stages<hw::Depth16>,
+     .stages32 = array_stages<hw::Depth32>},
+}};
+
+}  // namespace
+
+std::span<const Method> methods() { return table; }
+
+const Method* method_of(const Settings& settings) {
+    for (const Method& m : table)
+        if (m.form == settings.form && m.arithmetic == settings.arithmetic) return &m;
+    return nullptr;
+}
+
+const Method& method_of(const FrameInputs& in) {
+    const Method* method = in.method != nullptr ? in.method : method_of(in.settings);
+    fixed::require(method != nullptr, "no method for these settings");
+    return *method;
+}
+
+bool method_can(const Settings& settings) {
+    const Method* method = method_of(settings);
+    return method != nullptr && settings.machine.z_bits <= method->max_z_bits;
+}
+
+}  // namespace umbra78::shadow

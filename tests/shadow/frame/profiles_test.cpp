@@ -1,0 +1,86 @@
+// Profiles: what each sets, against literal values, and that each is a machine that can be built.
+#include "shadow/frame/profiles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string_view>
+
+namespace umbra78::shadow {
+namespace {
+
+// What each profile sets, by key and word, beside the sources that shadow/frame/profiles.cpp gives.
+TEST(Profiles, SetTheseValues) {
+    using Values = std::map<std::string_view, std::int64_t>;
+    const std::map<std::string_view, Values> expected{
+        {"affine16",
+         {{"coefficient_bits", 16},
+          {"multipliers", 4},
+          {"clock_ns", 200},
+          {"dram_access_ns", 200},
+          {"dram_cycle_ns", 375},
+          {"dram_column_ns", 135},
+          {"dram_page_ns", 225},
+          {"dram_rows", 0},
+          {"video", 1}}},
+        {"affine16x1", {{"coefficient_bits", 16}, {"multipliers", 1}, {"clock_ns", 200}}},
+        {"affine16x16",
+         {{"coefficient_bits", 16},
+          {"multipliers", 16},
+          {"clock_ns", 200},
+          {"divider", 1},
+          {"light_banks", 4}}},
+        {"perspective24",
+         {{"coefficient_bits", 24}, {"multipliers", 4}, {"clock_ns", 200}, {"divider", 0}}},
+        {"ap120b", {{"arithmetic", 1}, {"clock_ns", 167}, {"array_memory", 0}}},
+        {"ap120b_fast", {{"arithmetic", 1}, {"clock_ns", 167}, {"array_memory", 1}}}};
+    EXPECT_EQ(profiles().size(), expected.size());
+    for (const Profile& p : profiles()) {
+        const auto found = expected.find(p.name);
+        ASSERT_NE(found, expected.end()) << p.name;
+        // From settings that no profile names, so that each value has to be set.
+        Settings s;
+        s.machine.coefficient_bits = 20;
+        s.machine.multipliers = p.name == "affine16x16" ? 4 : 16;
+        s.timing.clock_ns = 300;
+        s.timing.divider = p.name == "affine16x16" ? hw::Divider::serial : hw::Divider::pipelined;
+        s.timing.light_banks = 1;
+        s.timing.dram = {300, 400, 150, 250, hw::DramRows::words, hw::Video::off};
+        s.array_memory = p.name == "ap120b" ? hw::ap120b::MemorySpeed::fast
+                                            : hw::ap120b::MemorySpeed::standard;
+        const Settings before = s;
+        apply(p, s);
+        for (const Setting& row : settings_table()) {
+            const auto value = found->second.find(row.key);
+            EXPECT_EQ(row.get(s),
+                      value == found->second.end() ? row.get(before) : value->second)
+                << p.name << " " << row.key;
+        }
+        EXPECT_EQ(p.values.size(), found->second.size()) << p.name;
+    }
+}
+
+TEST(Profiles, AreMachinesThatClose) {
+    std::set<std::string_view> names;
+    for (const Profile& p : profiles()) {
+        EXPECT_TRUE(names.insert(p.name).second) << p.name;
+        EXPECT_FALSE(p.meaning.empty()) << p.name;
+        EXPECT_EQ(find_setting(p.name), nullptr) << p.name;
+        Settings s;
+        apply(p, s);
+        EXPECT_TRUE(closes(s)) << p.name;
+        for (const ProfileValue& v : p.values) {
+            const Setting* row = find_setting(v.key);
+            ASSERT_NE(row, nullptr) << p.name << " " << v.key;
+            EXPECT_GE(v.word, row->min) << p.name << " " << v.key;
+            EXPECT_LE(v.word, row->max) << p.name << " " << v.key;
+            EXPECT_FALSE(v.source.empty()) << p.name << " " << v.key;
+        }
+        EXPECT_EQ(find_profile(p.name), &p);
+    }
+    EXPECT_TRUE(names.contains("affine16") && names.contains("perspective24"));
+}
+
+}  // namespace
+}  // namespace umbra78::shadow

@@ -1,0 +1,135 @@
+// RenderJob: other settings and other scenes in one frame's memory. What does not fit it is
+// refused with one line, and a refusal leaves the job as it was.
+#include "tools/render/render_job.hpp"
+
+#include "shadow/frame/paper_figures.hpp"
+#include "tests/support/error_of.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace umbra78::tools {
+namespace {
+
+using test::error_of;
+
+// The figures' scene on 64 x 64 pixels.
+struct SmallScene {
+    std::vector<raster::Patch> patches;
+    raster::Material material = shadow::figure_material;
+    raster::View observer = shadow::figure_view(0);
+    raster::View light = shadow::figure_view(shadow::figure_azimuth_q16);
+    shadow::Settings settings = shadow::figure_settings(6);
+
+    SmallScene() {
+        const shadow::FigurePatches all = shadow::figure_patches();
+        patches.assign(all.begin(), all.end());
+        settings.machine.xy_bits = 6;
+    }
+    shadow::Scene view() const { return {patches, {&material, 1}, observer, {{light}}}; }
+};
+
+std::vector<std::string> hashes(const RenderJob& job) {
+    std::vector<std::string> all;
+    for (const Plane plane : all_planes) all.push_back(hash_of(job.buffer(plane)));
+    return all;
+}
+
+// Every plane of the frame that these settings give.
+std::vector<std::string> hashes_of(const SmallScene& scene, const shadow::Settings& settings) {
+    RenderJob job(scene.view(), settings);
+    job.render();
+    return hashes(job);
+}
+
+// The job still draws its own frame.
+void expect_as_it_was(RenderJob& job, const SmallScene& scene) {
+    for (const shadow::Setting& s : shadow::settings_table())
+        EXPECT_EQ(s.get(job.settings()), s.get(scene.settings)) << s.key;
+    job.render();
+    EXPECT_EQ(hashes(job), hashes_of(scene, scene.settings));
+}
+
+TEST(RenderJob, OtherWidthsAreRefused) {
+    const SmallScene scene;
+    RenderJob job(scene.view(), scene.settings);
+    shadow::Settings wider = scene.settings;
+    wider.machine.xy_bits = 9;
+    EXPECT_EQ(error_of([&] { job.use(wider); }),
+              "this frame was made for xy_bits 6 and z_bits 16: for 9 and 16 make another");
+    EXPECT_EQ(error_of([&] { job.advance(scene.view(), wider); }),
+              "this frame was made for xy_bits 6 and z_bits 16: for 9 and 16 make another");
+    for (const int z_bits : {15, 17, 24}) {
+        shadow::Settings deeper = scene.settings;
+        deeper.machine.z_bits = z_bits;
+        EXPECT_NE(error_of([&] { job.use(deeper); }), "no error") << z_bits;
+        EXPECT_NE(error_of([&] { job.advance(scene.view(), deeper); }), "no error") << z_bits;
+    }
+    expect_as_it_was(job, scene);
+}
+
+TEST(RenderJob, MorePatchesAreRefused) {
+    const SmallScene scene;
+    SmallScene more = scene;
+    more.patches.push_back(more.patches.front());
+    RenderJob job(scene.view(), scene.settings);
+    EXPECT_EQ(error_of([&] { job.advance(more.view(), more.settings); }),
+              "this frame was made for 128 patches: for 129 make another");
+    expect_as_it_was(job, scene);
+    // The first scene's patches count, not those of the scene that it advanced to.
+    SmallScene fewer = scene;
+    fewer.patches.resize(32);
+    job.advance(fewer.view(), fewer.settings);
+    job.advance(scene.view(), scene.settings);
+    expect_as_it_was(job, scene);
+}
+
+// A bias that no word holds is found after the settings and two of the three matrices are read.
+TEST(RenderJob, ARefusalLeavesSettingsAndMatrices) {
+    const SmallScene scene;
+    RenderJob job(scene.view(), scene.settings);
+    shadow::Settings refused = scene.settings;
+    refused.bias_unit = shadow::BiasUnit::world;
+    refused.bias_q16 = std::int64_t{1} << 40;
+    const std::string error = error_of([&] { job.use(refused); });
+    EXPECT_NE(error, "no error");
+    expect_as_it_was(job, scene);
+
+    SmallScene moved = scene;
+    moved.observer.axes = raster::axes_from_angles(30 << 16, 0);
+    EXPECT_EQ(error_of([&] { job.advance(moved.view(), refused); }), error);
+    EXPECT_EQ(job.inputs().scene.observer.axes.right, scene.observer.axes.right);
+    expect_as_it_was(job, scene);
+
+    shadow::Settings none = scene.settings;
+    none.arithmetic = shadow::Arithmetic::ap120b;
+    none.form = shadow::Form::correct;
+    EXPECT_NE(error_of([&] { job.use(none); }), "no error");
+    expect_as_it_was(job, scene);
+}
+
+// What fits is taken over: every plane is that of a job of its own.
+TEST(RenderJob, OtherSettingsAndScenesAreTakenOver) {
+    const SmallScene scene;
+    RenderJob job(scene.view(), scene.settings);
+    job.render();
+    shadow::Settings nearest = scene.settings;
+    nearest.lookup = shadow::Lookup::nearest;
+    nearest.bias_q16 = 64 << 16;
+    job.use(nearest);
+    job.render();
+    EXPECT_EQ(hashes(job), hashes_of(scene, nearest));
+    EXPECT_NE(hashes(job), hashes_of(scene, scene.settings));
+
+    SmallScene moved = scene;
+    moved.light.axes = raster::axes_from_angles(-60 << 16, 0);
+    job.advance(moved.view(), nearest);
+    EXPECT_TRUE(job.plan().leaves_out(shadow::Omission::same_depth));
+    job.render();
+    EXPECT_EQ(hashes(job), hashes_of(moved, nearest));
+}
+
+}  // namespace
+}  // namespace umbra78::tools
