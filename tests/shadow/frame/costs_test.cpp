@@ -1,6 +1,7 @@
 // The cost of a plan: the closed forms, and savings that add up to the difference.
 #include "shadow/frame/costs.hpp"
 
+#include "tests/shadow/frame/cost_by_hand.hpp"
 #include "tests/shadow/frame/planned_scenes.hpp"
 #include "tests/support/effort.hpp"
 
@@ -16,6 +17,8 @@ FrameLedger ledger_of(const PlannedFrame& f) {
     return frame_ledger(f.inputs, f.frame.buffers, f.frame.counts);
 }
 
+// Savings are what the costs differ by, omission by omission, so they add up to the whole; a frame
+// in which nothing has moved costs nothing.
 TEST(PlanCost, SavingsAddUp) {
     for (PlannedScene& planned : test::planned_scenes()) {
         if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
@@ -49,16 +52,20 @@ TEST(PlanCost, IsTheClosedForm) {
     const FrameCycles c = cycles_of(plan, drawn);
     EXPECT_EQ(c[0].transform, 128u * 16 * 3);
     EXPECT_EQ(c[1].transform, 128u * 16 * 3);
-    // The ledger's drawing, whose multipliers have the control points too.
-    EXPECT_EQ(c[0].total(), ledger.light.units.one_after_the_other());
-    EXPECT_EQ(c[1].total(), ledger.observer.units.one_after_the_other());
+    // Operations of the drawing without the control points, which the transform unit has.
+    const test::Busy light = test::drawing_by_hand(ledger.light_counts, true, false, 5, 0);
+    const test::Busy observer = test::drawing_by_hand(ledger.observer_counts, true, true, 5, 0);
+    EXPECT_EQ(c[0].operations.one_after_the_other(), light.one_after_the_other());
+    EXPECT_EQ(c[1].operations.one_after_the_other(), observer.one_after_the_other());
+    EXPECT_EQ(c[0].total(), 128u * 16 * 3 + light.one_after_the_other());
     EXPECT_EQ(c[2].transform, seen * 3);
     EXPECT_EQ(c[2].divide, 0u);
     EXPECT_EQ(c[2].noise, n);  // 12 bytes twice are the 192 bits of a cycle
     EXPECT_EQ(c[2].store, seen * 4 + 2 * n);
-    EXPECT_EQ(c[3].total(), ledger.dequantize.units.one_after_the_other());
-    EXPECT_EQ(c[4].total(), ledger.low_pass.units.one_after_the_other());
-    EXPECT_EQ(c[5].total(), ledger.composite.units.one_after_the_other());
+    const std::uint64_t steps = f.frame.counts.lights[0].chain_steps;
+    EXPECT_EQ(c[3].total(), test::dequantize_by_hand(steps, n, 4).one_after_the_other());
+    EXPECT_EQ(c[4].total(), test::low_pass_by_hand(n, 1).one_after_the_other());
+    EXPECT_EQ(c[5].total(), test::composite_by_hand(n).one_after_the_other());
     const std::uint64_t quotient =
         static_cast<std::uint64_t>(hw::serial_divide_cycles(f.inputs.settings.machine));
     const auto saved = [&](Omission o) { return saving(o, plan, drawn).cycles; };
@@ -67,9 +74,48 @@ TEST(PlanCost, IsTheClosedForm) {
     EXPECT_EQ(saved(Omission::w_row), 2 * 2048 + n);
     EXPECT_EQ(saved(Omission::constant_product), 0u);  // four multipliers take a row at once
     EXPECT_EQ(saved(Omission::background_pixels), (n - seen) * (3 + 4));
-    EXPECT_GT(saved(Omission::light_shading), ledger.light_counts.samples * 100);
+    const test::Busy shaded = test::drawing_by_hand(ledger.light_counts, true, true, 5, 0);
+    EXPECT_EQ(saved(Omission::light_shading),
+              shaded.one_after_the_other() - light.one_after_the_other());
+    for (const Omission needed : {Omission::noise, Omission::light_map, Omission::post_process,
+                                  Omission::dequantize, Omission::low_pass, Omission::composite,
+                                  Omission::same_light_map, Omission::same_picture})
+        EXPECT_EQ(saved(needed), 0u);
     EXPECT_TRUE(saving(Omission::background_pixels, plan, drawn).after_drawing);
     EXPECT_FALSE(saving(Omission::noise, plan, drawn).after_drawing);
+}
+
+// A scene whose shadow is left out altogether, each saving by hand.
+TEST(PlanCost, SavingsOfASceneWithoutACaster) {
+    const PlannedScene planned = test::planned_scene("no caster");
+    PlannedFrame f(planned);
+    const FramePlan plan = make_plan(f.inputs);
+    f.draw(FramePlan{});
+    const FrameLedger ledger = ledger_of(f);
+    const DrawnFrame drawn{f.inputs, ledger};
+    const std::uint64_t seen = ledger.visible, n = 128 * 128;
+    const auto saved = [&](Omission o) { return saving(o, plan, drawn).cycles; };
+    // All patches are tested for the light's view, and no block is drawn.
+    EXPECT_EQ(saved(Omission::light_map), 2048u * 3 + (3u * 128 * (60 + 43)) / 4);
+    EXPECT_EQ(saved(Omission::post_process), seen * 3 + seen * 4 + 2 * n + n);
+    EXPECT_EQ(saved(Omission::dequantize),
+              test::dequantize_by_hand(0, n, 4).one_after_the_other());
+    EXPECT_EQ(saved(Omission::low_pass), test::low_pass_by_hand(n, 1).one_after_the_other());
+    EXPECT_EQ(saved(Omission::composite), test::composite_by_hand(n).one_after_the_other());
+    const FrameCycles left = cycles_of(plan, drawn);
+    EXPECT_EQ(total(left), left[1].total()) << "the observer's view alone";
+}
+
+// Filters of no passes are a copy: a read and a write of each pixel.
+TEST(PlanCost, AFilterOfNoPassesIsACopy) {
+    const PlannedScene planned = test::planned_scene("figure 3");
+    PlannedFrame f(planned);
+    const FramePlan plan = make_plan(f.inputs);
+    f.draw(plan);
+    const FrameLedger ledger = ledger_of(f);
+    const DrawnFrame drawn{f.inputs, ledger};
+    EXPECT_EQ(saving(Omission::dequantize, plan, drawn).cycles, 2u * 128 * 128);
+    EXPECT_EQ(saving(Omission::low_pass, plan, drawn).cycles, 2u * 128 * 128);
 }
 
 TEST(PlanCost, OneMultiplierIsSparedTheConstantProducts) {

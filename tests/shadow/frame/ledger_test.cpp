@@ -1,14 +1,17 @@
-// The ledger: closed forms against the clock, drawing's counts against a drawing, sums.
+// The ledger: closed forms against the clock, stages and operations against hw/MACHINE.md.
 #include "shadow/frame/ledger.hpp"
 
 #include "raster/drawing_cost.hpp"
 #include "shadow/frame/profiles.hpp"
 #include "tests/shadow/clocked/clocked_frames.hpp"
+#include "tests/shadow/frame/cost_by_hand.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace umbra78::shadow {
@@ -87,28 +90,145 @@ TEST(Ledger, ScheduleIsTheScan) {
     }
 }
 
-FrameLedger figure_ledger(const Settings& s, const Scene& scene) {
-    const test::Frame<> frame(scene, s);
-    EXPECT_EQ(frame.status, FrameStatus::ok);
-    return frame_ledger({scene, s, frame.matrices}, frame.buffers, frame.counts);
+// The stages are those of hw/MACHINE.md, section 16, with their stays.
+TEST(Ledger, StagesAreTheTables) {
+    struct Row {
+        Unit unit;
+        std::string_view stage;
+        int stay;
+    };
+    const auto expect_rows = [](const Settings& s, const hw::MatrixWords& matrix,
+                                const std::vector<Row>& expected) {
+        const PostProcessLedger l = closed_form(Schedule{}, PostProcessPipeline(s, matrix));
+        ASSERT_EQ(std::size_t(l.count), expected.size());
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            EXPECT_EQ(l.rows[k].stage, expected[k].stage) << k;
+            EXPECT_EQ(l.rows[k].unit, expected[k].unit) << k;
+            EXPECT_EQ(l.rows[k].stay, expected[k].stay) << k;
+        }
+    };
+    using enum Unit;
+    Random random;
+    const Settings four = figure_settings(4);
+    expect_rows(four, test::random_matrix(random, four.machine, true),
+                {{reader, "read", 1}, {transform, "multiply", 3}, {transform, "sum", 1},
+                 {transform, "accumulate", 1}, {transform, "round", 1}, {lookup, "place", 1},
+                 {lookup, "fetch", 4}, {lookup, "interpolate", 2}, {lookup, "compare", 1},
+                 {writer, "write", 1}});
+    Settings one = figure_settings(3);
+    one.machine.multipliers = 1;
+    expect_rows(one, test::random_matrix(random, one.machine, false),
+                {{reader, "read", 1}, {transform, "multiply", 16}, {transform, "accumulate", 1},
+                 {divider, "divide", 60}, {lookup, "place", 1}, {lookup, "fetch", 1},
+                 {lookup, "compare", 1}, {writer, "write", 1}});
 }
 
-// Every phase is there, and the frame is their sum, with and without overlap.
+// A stage whose clock is held often is what every stage before it was blocked by.
+TEST(Ledger, BlamesTheStageThatWasHeld) {
+    Random random;
+    Settings s = figure_settings(4);
+    s.machine.xy_bits = 5;
+    OwnedStore<hw::Depth32> observer(5), light(5);
+    for (hw::Depth32& z : observer.depth) z = random.bits() % 1000;
+    const hw::MatrixWords matrix = test::random_matrix(random, s.machine, true);
+    std::vector<std::uint8_t> mask(observer.depth.size());
+    const int stages = closed_form(Schedule{}, PostProcessPipeline(s, matrix)).count - 1;
+    for (int held = 1; held < stages; ++held) {
+        const auto machine = std::make_unique<ClockedPostProcess<hw::Depth32>>(
+            observer.store, light.store, matrix, s, mask);
+        while (!machine->done())
+            machine->tick(machine->cycles() % 100 < 60 ? hw::StageMask{1} << held : 0);
+        const PostProcessLedger l = ledger_of(*machine);
+        for (int k = 0; k <= held; ++k) {
+            const StageLedger& row = l.rows[std::size_t(k)];
+            EXPECT_GT(row.blocked, 0u) << row.stage;
+            EXPECT_EQ(row.blamed, held + 1) << row.stage << " while " << held << " is held";
+            EXPECT_EQ(row.work + row.blocked + row.held + row.idle, l.total) << row.stage;
+        }
+        EXPECT_GT(l.rows[std::size_t(held) + 1].held, 1000u);
+        EXPECT_EQ(l.rows[std::size_t(held) + 2].blamed, -1) << "nothing blocks what follows";
+    }
+}
+
+struct DrawnLedger {
+    FrameLedger ledger;
+    FrameCounts counts;
+};
+DrawnLedger drawn_ledger(const Settings& s, const Scene& scene) {
+    const test::Frame<> frame(scene, s);
+    EXPECT_EQ(frame.status, FrameStatus::ok);
+    return {frame_ledger({scene, s, frame.matrices}, frame.buffers, frame.counts), frame.counts};
+}
+FrameLedger figure_ledger(const Settings& s, const Scene& scene) {
+    return drawn_ledger(s, scene).ledger;
+}
+
+// Figure 6, each phase by hand from its counts; the frame is their sum.
 TEST(Ledger, AFrameIsTheSumOfItsPhases) {
     const test::FigureScene figures;
-    const FrameLedger l = figure_ledger(figure_settings(6), figures.scene());
-    for (const bool overlap : {true, false}) {
-        std::uint64_t sum = l.transformation(overlap);
-        for (const PhaseLedger* p :
-             {&l.light, &l.observer, &l.dequantize, &l.low_pass, &l.composite}) {
-            EXPECT_GT(FrameLedger::cycles(*p, overlap), 0u);
-            sum += FrameLedger::cycles(*p, overlap);
-        }
-        EXPECT_EQ(l.total(overlap), sum);
+    const auto& [l, counts] = drawn_ledger(figure_settings(6), figures.scene());
+    constexpr std::uint64_t n = 512 * 512;
+    const std::uint64_t steps = counts.lights[0].chain_steps;
+    EXPECT_GT(steps, 1000u);
+    const test::Busy light = test::drawing_by_hand(l.light_counts, true, false, 5, 12);
+    const test::Busy observer = test::drawing_by_hand(l.observer_counts, true, true, 5, 12);
+    const test::Busy dequantize = test::dequantize_by_hand(steps, n, 4);
+    const test::Busy low_pass = test::low_pass_by_hand(n, 1);
+    const test::Busy composite = test::composite_by_hand(n);
+    EXPECT_TRUE(test::same(l.light.operations, light));
+    EXPECT_TRUE(test::same(l.observer.operations, observer));
+    EXPECT_TRUE(test::same(l.dequantize.operations, dequantize));
+    EXPECT_TRUE(test::same(l.low_pass.operations, low_pass));
+    EXPECT_TRUE(test::same(l.composite.operations, composite));
+    std::uint64_t side_by_side = 580249;  // hw/MACHINE.md, section 16: figure 4's pass
+    std::uint64_t in_turn = n + 15 * 106772;
+    EXPECT_EQ(l.transformation(true), side_by_side);
+    EXPECT_EQ(l.transformation(false), in_turn);
+    for (const test::Busy& b : {light, observer, dequantize, low_pass, composite}) {
+        side_by_side += b.side_by_side();
+        in_turn += b.one_after_the_other();
     }
-    EXPECT_LT(l.total(true), l.total(false));
+    EXPECT_EQ(l.total(true), side_by_side);
+    EXPECT_EQ(l.total(false), in_turn);
+    EXPECT_EQ(l.filters(true), dequantize.side_by_side() + low_pass.side_by_side() +
+                                   composite.side_by_side());
     EXPECT_EQ(l.visible, 106772u);
     EXPECT_EQ(l.post_process.bottleneck().stage, "fetch") << "four words a point on one bank";
+    EXPECT_EQ(l.scene.units.one_after_the_other(), 0u) << "nothing is made ready for a scene";
+}
+
+// In perspective the corners are divided, and W is a component.
+TEST(Ledger, APerspectiveFrameByHand) {
+    const test::FigureScene figures;
+    Scene scene = figures.scene();
+    scene.observer.projection = raster::Projection::perspective;
+    scene.observer.distance = 8 << 16;
+    raster::fit_depth(scene.observer, raster::depth_range(scene.observer, scene.patches));
+    Settings s = figure_settings(3);
+    s.machine.coefficient_bits = 24;
+    const FrameLedger l = figure_ledger(s, scene);
+    EXPECT_TRUE(test::same(l.observer.operations,
+                           test::drawing_by_hand(l.observer_counts, false, true, 5, 32)))
+        << "two passes of 16 products a control point";
+    EXPECT_TRUE(test::same(l.light.operations,
+                           test::drawing_by_hand(l.light_counts, true, false, 5, 24)));
+}
+
+// Every shaded sample is costed with the sharpest highlight of the scene, wherever it stands.
+TEST(Ledger, TheSharpestOfTwoMaterialsCounts) {
+    test::FigureScene figures;
+    for (const bool first : {false, true}) {
+        std::array<raster::Material, 2> materials{figure_material, figure_material};
+        materials[first ? 0 : 1].shininess = 8;
+        materials[first ? 1 : 0].shininess = 2;
+        Scene scene = figures.scene();
+        scene.materials = materials;
+        EXPECT_EQ(max_shininess(scene), 8);
+        const FrameLedger l = figure_ledger(figure_settings(3), scene);
+        EXPECT_TRUE(test::same(l.observer.operations,
+                               test::drawing_by_hand(l.observer_counts, true, true, 8, 12)));
+    }
+    EXPECT_EQ(max_shininess({}), 0);
 }
 
 // Filters that are off cost nothing.
@@ -118,6 +238,7 @@ TEST(Ledger, WhatIsLeftOutIsFree) {
     EXPECT_EQ(l.dequantize.units.one_after_the_other(), 0u);
     EXPECT_EQ(l.low_pass.units.one_after_the_other(), 0u);
     EXPECT_EQ(l.post_process.bottleneck().stage, "multiply");
+    EXPECT_EQ(l.transformation(true), 474214u);  // hw/MACHINE.md, section 16
 }
 
 // Drawing costs neither more nor less for the order of its patches.

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <string>
@@ -135,6 +136,23 @@ TEST(FramePlan, SaysWhy) {
     EXPECT_EQ(reason(scene("no density"), composite), Reason::invisible_shadow);
     EXPECT_EQ(reason(scene("correct"), composite), Reason::shadow_in_shading);
     EXPECT_EQ(reason(scene("correct"), background_pixels), Reason::tested_when_drawn);
+}
+
+// The faintest shadow, and each setting of a filter next to the one that leaves it out.
+TEST(FramePlan, TheLeastThatIsAskedForIsNeeded) {
+    PlannedScene faint = test::planned_scene("figure 6");
+    faint.settings.density_q8 = 1;
+    faint.settings.dequantize_passes = faint.settings.low_pass_passes = 1;
+    EXPECT_EQ(reason(faint, Omission::composite), Reason::asked_for);
+    EXPECT_EQ(reason(faint, Omission::dequantize), Reason::asked_for);
+    EXPECT_EQ(reason(faint, Omission::low_pass), Reason::asked_for);
+    PlannedFrame expected(faint), got(faint);
+    expected.draw(FramePlan{});
+    got.draw(make_plan(got.inputs));
+    expect_equal_frames(expected.frame.buffers, got.frame.buffers);
+    EXPECT_FALSE(std::equal(got.frame.buffers.picture.begin(), got.frame.buffers.picture.end(),
+                            got.frame.buffers.observer.intensity.begin()))
+        << "density 1/256 darkens something";
 }
 
 TEST(FramePlan, CountsThePatchesOutside) {

@@ -173,9 +173,12 @@ TEST(Reuse, TheObserverMoves) {
 
 TEST(Reuse, SurfacesChange) {
     const PlannedScene base = test::planned_scene("figure 6");
-    PlannedScene paler = base;
-    paler.materials[0].diffuse = 100;
-    EXPECT_EQ(draw_over(base, paler), "LDM");
+    for (std::int32_t raster::Material::*const word :
+         {&raster::Material::diffuse, &raster::Material::specular, &raster::Material::shininess}) {
+        PlannedScene other = base;
+        other.materials[0].*word -= 1;
+        EXPECT_EQ(draw_over(base, other), "LDM");
+    }
     PlannedScene dented = base;
     dented.patches[5].control[5].x += 1 << 12;
     EXPECT_EQ(draw_over(base, dented), "");

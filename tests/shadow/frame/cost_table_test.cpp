@@ -1,0 +1,111 @@
+// The constants of the costs are the rows of the table in hw/MACHINE.md, section 16, word for word.
+#include "raster/drawing_cost.hpp"
+#include "shadow/frame/filter_cost.hpp"
+#include "tests/support/paths.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace umbra78::shadow {
+namespace {
+
+using hw::Operations;
+
+std::string text(std::uint64_t n) {
+    std::string digits = std::to_string(n);
+    for (std::size_t at = digits.size(); digits.size() > 4 && at > 3; at -= 3)
+        digits.insert(at - 3, 1, ' ');
+    return digits;
+}
+// "8 (128)"; empty for none.
+std::string pair(std::uint64_t count, std::uint64_t size) {
+    return count == 0 ? "" : text(count) + " (" + text(size) + ")";
+}
+std::string cell(const std::string& words) { return words.empty() ? "| " : "| " + words + " "; }
+std::string cell(std::uint64_t n) { return cell(n == 0 ? "" : text(n)); }
+
+std::string row(const char* what, const std::string& adds, const std::string& products,
+                const std::string& quotients, const std::string& accesses) {
+    return "| " + std::string(what) + " " + cell(adds) + cell(products) + cell(quotients) +
+           cell(accesses) + "|\n";
+}
+std::string row(const char* what, const Operations& o) {
+    return row(what, o.adds == 0 ? "" : text(o.adds), pair(o.products, o.passes),
+               pair(o.quotients, o.quotient_bits), o.accesses == 0 ? "" : text(o.accesses));
+}
+// "40 + n": what one more of the unknown adds is one, or "6 n" for six.
+std::string linear(std::uint64_t at_0, std::uint64_t at_1, const char* unknown) {
+    const std::uint64_t slope = at_1 - at_0;
+    return text(at_0) + " + " + (slope == 1 ? "" : text(slope) + " ") + unknown;
+}
+
+std::string machine_text() {
+    std::ifstream file(UMBRA78_SOURCE_DIR "/hw/MACHINE.md");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void expect_row(const std::string& line) {
+    static const std::string machine = machine_text();
+    EXPECT_NE(machine.find(line), machine.npos) << "not in hw/MACHINE.md: " << line;
+}
+
+TEST(CostTable, Filters) {
+    const Operations none = cost::chain_step(0), one = cost::chain_step(1);
+    expect_row(row("dequantize, chain step, q passes", linear(none.adds, one.adds, "q"),
+                   pair(none.products, none.passes), pair(none.quotients, none.quotient_bits),
+                   text(none.accesses)));
+    for (int q = 0; q <= 6; ++q) {
+        const Operations o = cost::chain_step(q);
+        EXPECT_EQ(o.adds, none.adds + std::uint64_t(q) * (one.adds - none.adds)) << q;
+        EXPECT_EQ(o.passes, none.passes) << q;
+        EXPECT_EQ(o.products, none.products) << q;
+        EXPECT_EQ(o.quotients, none.quotients) << q;
+        EXPECT_EQ(o.quotient_bits, none.quotient_bits) << q;
+        EXPECT_EQ(o.accesses, none.accesses) << q;
+    }
+    expect_row(row("dequantize, pixel of the frame", cost::coverage_pixel));
+    expect_row(row("low-pass, pixel and pass", cost::low_pass_pixel));
+    expect_row(row("composite, pixel", cost::composite_pixel));
+}
+
+TEST(CostTable, Drawing) {
+    namespace c = raster::cost;
+    const auto adds = [](const char* what, std::uint64_t n) {
+        expect_row(row(what, Operations{.adds = n}));
+    };
+    adds("patch, component: corrections", c::corners_from_control);
+    adds("split, component", c::split);
+    adds("drawn block, component of the screen: 17 x 17 corners", c::leaf_corners);
+    expect_row(row("leaf, centre sampling: window; leaf sampling: mean",
+                   text(c::leaf_window.adds) + "; " + text(c::leaf_mean.adds), "", "", ""));
+    expect_row(row("centre in a window: two triangles", c::tested_centre));
+    const Operations centre = c::centre_sample, leaf = c::leaf_sample;
+    expect_row(row("sample, centre; leaf", text(centre.adds) + "; " + text(leaf.adds),
+                   pair(centre.products, centre.passes) + "; " + text(leaf.products),
+                   pair(centre.quotients, centre.quotient_bits) + "; " + text(leaf.quotients),
+                   text(centre.accesses) + "; " + text(leaf.accesses)));
+    expect_row(row("drawn block, shading: 4 normals, each", c::corner_normal));
+    const Operations dull = c::shaded_sample(0), shiny = c::shaded_sample(1);
+    expect_row(row("shaded sample, shininess n", linear(dull.adds, shiny.adds, "n"),
+                   linear(dull.products, shiny.products, "n") + " (" +
+                       linear(dull.passes, shiny.passes, "n") + ")",
+                   pair(dull.quotients, dull.quotient_bits), text(dull.accesses)));
+    const std::uint64_t corners = 3 * 17 * 17;
+    expect_row(row("drawn block in perspective: corners divided",
+                   Operations{.quotients = corners,
+                              .quotient_bits = corners * c::divided_corner_bits}));
+    EXPECT_EQ(c::bounds_and_fate, 43u);
+}
+
+// The oracle above finds what is there and no more.
+TEST(CostTable, AWrongNumberIsNotFound) {
+    Operations wrong = cost::composite_pixel;
+    ++wrong.adds;
+    EXPECT_EQ(machine_text().find(row("composite, pixel", wrong)), std::string::npos);
+}
+
+}  // namespace
+}  // namespace umbra78::shadow
