@@ -9,9 +9,9 @@
 namespace umbra78::tools {
 namespace {
 
-constexpr std::string_view head = R"(// The figures' scene in the words of the machine, made from tools/scenes/figures.toml by
+constexpr std::string_view head = R"(// The figures' scene in the words of the machine, made by
 //   umbra78 figures --words >shadow/frame/paper_scene_words.hpp
-// Do not edit it: a test makes it again and compares.
+// from tools/scenes/figures.toml. Do not edit it: a test makes it again and compares.
 #pragma once
 
 #include "raster/scene.hpp"
