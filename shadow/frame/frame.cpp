@@ -17,7 +17,7 @@ std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame) {
     return {reinterpret_cast<std::uint8_t*>(coverage.data()), frame.picture.size()};
 }
 
-// Where Z is kept and the intensities are drawn anew: they start from the greatest level, and only
+// Where Z is kept and the intensities are drawn anew: they start from the max level, and only
 // samples at the stored depth compete, so that each comes out as in a frame drawn anew.
 template <class Depth>
 void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store) {

@@ -72,8 +72,8 @@ void plan_filters(const FrameInputs& now, std::size_t l, FramePlan& plan) {
 void plan_reuse(const FrameInputs& now, const FrameInputs* before, FramePlan& plan) {
     const Reuse same = before != nullptr ? find_reuse(*before, now) : Reuse{};
     const auto decision = [&](bool kept) {
-        return kept ? left_out(stands_still)
-                    : needed(before != nullptr ? has_moved : no_frame_before);
+        return kept ? left_out(unchanged)
+                    : needed(before != nullptr ? changed : no_frame_before);
     };
     plan.at(Omission::same_depth) = decision(same.depth);
     plan.at(Omission::same_observer) = decision(same.observer);

@@ -56,13 +56,13 @@ enum class Reason : std::uint8_t {
     graded,               // dequantizing follows edges, and this method's darkness has none
     invisible_shadow,     // density 0
     shadow_in_shading,    // the correct form's picture is finished when it is drawn
-    stands_still,         // nothing that it is made from has changed
+    unchanged,            // nothing that it is made from has changed
     // needed
     perspective,          // W is not constant
     may_shadow,
     tested_when_drawn,    // correct form: there are no pixels to test, only generated points
     asked_for,            // a setting asks for it
-    has_moved,            // something that it is made from has changed
+    changed,              // something that it is made from has changed
     no_frame_before,
     none,                 // FramePlan{}: nothing is left out
 };

@@ -1,7 +1,7 @@
-// Profiles: machines of the time, each a list of settings with where its values come from.
+// Profiles: machines of 1978, each a list of settings and where their values come from.
 //
-// A profile is nothing but settings set together; whatever it does not name keeps its value. Each
-// value says its source, or that it is this project's assumption.
+// Applying a profile sets the settings that it names; all others keep their values. Each value
+// gives its source, or says that it is this project's assumption.
 #pragma once
 
 #include "shadow/frame/settings.hpp"
@@ -27,7 +27,7 @@ struct Profile {
 };
 
 std::span<const Profile> profiles();
-const Profile* find_profile(std::string_view name);
+const Profile* find_profile(std::string_view name);  // null if there is none
 void apply(const Profile& profile, Settings& settings);
 
 }  // namespace umbra78::shadow

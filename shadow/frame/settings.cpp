@@ -42,7 +42,7 @@ constexpr Setting choice(std::string_view key, Names names, std::string_view mea
     return {key, SettingKind::choice, "", 0, max, 0, names, meaning, Get, Set};
 }
 
-// A setting's two accessors, from the member it stands for.
+// A setting's two accessors, from the member that it sets.
 #define UMBRA78_ACCESS(member)                                                            \
     [](const Settings& s) { return static_cast<std::int64_t>(s.member); },                \
         [](Settings& s, std::int64_t v) { s.member = static_cast<decltype(s.member)>(v); }
@@ -55,7 +55,7 @@ constexpr std::array table{
     whole<UMBRA78_ACCESS(machine.coefficient_bits)>(
         "coefficient_bits", "bits", 8, 32, "a matrix word, Q1.(bits - 2) with an exponent a row"),
     whole<UMBRA78_ACCESS(machine.fraction_bits)>(
-        "fraction_bits", "bits", 0, 12, "fraction of X and Y behind the transform"),
+        "fraction_bits", "bits", 0, 12, "fraction of X and Y after the transform"),
     whole<UMBRA78_ACCESS(machine.multipliers)>(
         "multipliers", "multipliers", 1, 16, "16 x 16 multipliers in the unit: 1, 4 or 16"),
     whole<UMBRA78_ACCESS(machine.max_accumulator_bits)>(
@@ -106,7 +106,7 @@ constexpr std::array table{
                                         "of the translucent shadow: 0 invisible, 1 black"),
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
-        "test visible pixels behind the picture, or each generated point before it is shaded"),
+        "test visible pixels after the picture is drawn, or each point before it is shaded"),
     choice<UMBRA78_ACCESS(arithmetic)>(
         "arithmetic", arithmetic_names,
         "of the post-process: the transform unit's, or an FPS AP-120B's (Z to 16 bits)"),

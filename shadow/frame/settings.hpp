@@ -1,7 +1,8 @@
-// Settings: every width and choice of the machine, in one value, and the one table that names them.
+// Settings: every width and choice of the machine in one value, and the table that names them.
 //
-// The table drives the scene file, `--set`, `--help` and the documentation: a setting's key, unit,
-// range, default and meaning stand here and nowhere else.
+// A setting's key, unit, range, default and meaning are written in this table and nowhere else: the
+// scene file, `--set`, `--help` and the documentation read it. A setter stores what it is given:
+// a value from outside is compared with min and max first.
 #pragma once
 
 #include "hw/ap120b/processor.hpp"
@@ -19,14 +20,14 @@ enum class Form : std::uint8_t { post_process, correct };
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
 enum class Arithmetic : std::uint8_t { fixed, ap120b };
 
-// The shadow test's own (machine, timing, registration, lookup, background, dither) are the base;
-// these are what the frame's other stages read.
+// What the shadow test reads (machine, timing, registration, lookup, background, dither) is the
+// base class; the members here are what the other stages of a frame read.
 struct Settings : TimedTest {
     raster::Sampling sampling = raster::Sampling::centre;
     std::int64_t bias_q16 = 64 << 16;  // in bias_unit, Q.16
     BiasUnit bias_unit = BiasUnit::quanta;
-    std::int32_t dequantize_passes = 0;  // 1-2-1 averages along the edge chain; 0 leaves it out
-    std::int32_t low_pass_passes = 0;    // 3 x 3 binomial; 0 leaves it out
+    std::int32_t dequantize_passes = 0;  // 1-2-1 averages along the edge chain; 0: off
+    std::int32_t low_pass_passes = 0;    // 3 x 3 binomial; 0: off
     std::int32_t ambient_q8 = 77;        // 0..256
     std::int32_t density_q8 = 154;       // of the shadow: 0 invisible, 256 black
     Form form = Form::post_process;
@@ -41,7 +42,7 @@ struct Setting {
     std::string_view key;
     SettingKind kind;
     std::string_view unit;     // "" for a choice
-    std::int64_t min, max;  // words (decimal: in 2^-fraction units)
+    std::int64_t min, max;  // words, both inclusive (decimal: in 2^-fraction units)
     int fraction;
     std::span<const std::string_view> names;  // of a choice, by value
     std::string_view meaning;

@@ -65,12 +65,12 @@ std::string_view explain(Reason reason) {
         case Reason::graded: return "it follows edges, and the method's darkness is graded";
         case Reason::invisible_shadow: return "density is 0";
         case Reason::shadow_in_shading: return "the correct form's shadow is in the shading";
-        case Reason::stands_still: return "nothing it is made from has changed";
+        case Reason::unchanged: return "nothing it is made from has changed";
         case Reason::perspective: return "both views are in perspective: W is no constant";
         case Reason::may_shadow: return "a shadow may fall on something visible";
         case Reason::tested_when_drawn: return "the correct form tests points as they are drawn";
         case Reason::asked_for: return "a setting asks for it";
-        case Reason::has_moved: return "something it is made from has changed";
+        case Reason::changed: return "something it is made from has changed";
         case Reason::no_frame_before: return "there is no frame before it";
         case Reason::none: return "the plan leaves out nothing";
     }

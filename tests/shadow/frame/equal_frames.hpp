@@ -1,4 +1,5 @@
-// expect_equal_frames: every buffer of two frames, word by word; equal_frames says it in one bool.
+// expect_equal_frames compares every buffer of two frames word by word and reports the first
+// difference of each; equal_frames returns only whether they are equal.
 #pragma once
 
 #include "shadow/frame/frame.hpp"

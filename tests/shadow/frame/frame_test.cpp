@@ -1,4 +1,4 @@
-// The frame: memory, order of the stages, and what must not change a bit of it.
+// The frame: its memory, the order of its stages, and what must not change any of its bits.
 #include "shadow/frame/frame.hpp"
 
 #include "raster/sinks.hpp"
@@ -142,7 +142,7 @@ TEST(Frame, StagesOneByOneAreRender) {
             filter_and_composite(in, plan, parts.buffers, parts.counts);
             expect_equal_frames(whole.buffers, parts.buffers);
             expect_equal_counts(whole.counts, parts.counts);
-            // A stage again, on what stands there, changes nothing.
+            // A stage that runs again on its own results changes nothing.
             cast_shadows(in, plan, parts.buffers, parts.counts);
             filter_and_composite(in, plan, parts.buffers, parts.counts);
             expect_equal_frames(whole.buffers, parts.buffers);

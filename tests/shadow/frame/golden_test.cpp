@@ -1,10 +1,10 @@
 // Figures 1 to 6 against tests/goldens: every stage's buffer, value by value, and its hash.
 //
-// `umbra78 figures --bless` writes the goldens, binary PGM of one byte a value, or of two, the
-// higher first, for Z; and hashes.txt, a line "name format:WxH:fnv1a64:<16 hex digits>" a buffer,
-// where the format is u8 or u16be. A difference is told by the first pixel with both values, and a
-// picture of it is left in the test's working folder. UMBRA78_GOLDENS names another folder.
-// Nothing here uses the program: the goldens are read, and the frames drawn, by the tests alone.
+// `umbra78 figures --bless` writes the goldens. They are binary PGM, one byte a value, and two for
+// Z, the higher first; hashes.txt has a line "name format:WxH:fnv1a64:<16 hex digits>" for each
+// buffer, with the format u8 or u16be. Of a difference the first pixel is printed with both values,
+// and a picture is written to the test's working folder. UMBRA78_GOLDENS names another folder.
+// Nothing here uses the program: the tests read the goldens and draw the frames themselves.
 #include "fixed/fnv.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/support/buffers.hpp"

@@ -214,7 +214,7 @@ TEST(Ledger, APerspectiveFrameByHand) {
                            test::drawing_by_hand(l.light_counts, true, false, 5, 24)));
 }
 
-// Every shaded sample is costed with the sharpest highlight of the scene, wherever it stands.
+// Every shaded sample is costed with the sharpest highlight of the scene, of whatever material.
 TEST(Ledger, TheSharpestOfTwoMaterialsCounts) {
     test::FigureScene figures;
     for (const bool first : {false, true}) {

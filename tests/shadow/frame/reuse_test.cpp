@@ -1,4 +1,4 @@
-// What stands still: where the plan keeps a buffer, a frame drawn anew holds the same in it.
+// Reuse: where the plan keeps a buffer of the frame before, a frame drawn anew has the same in it.
 #include "shadow/frame/reuse.hpp"
 
 #include "shadow/frame/frame.hpp"

@@ -1,4 +1,4 @@
-// The one table of settings: complete, consistent, and its accessors reach what they name.
+// The table of settings: complete, consistent, its ranges, and accessors that reach what they name.
 #include "shadow/frame/settings.hpp"
 
 #include "shadow/frame/ledger.hpp"

@@ -1,8 +1,7 @@
 // What figures 1 to 6 do not reach: other samplings, forms, widths, perspective and point light.
 //
-// Each variant is the figures' scene (from the fifth on, with a floor) with a few settings changed;
-// its hashes stand in hw/MACHINE.md, section 15, and this test holds the two together. The scene
-// words here are that section's.
+// Each variant is the figures' scene (from the fifth on, with a floor) with a few settings changed.
+// Its hashes are looked up in hw/MACHINE.md, section 15; the scene words here are that section's.
 #include "fixed/fnv.hpp"
 #include "shadow/frame/profiles.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
