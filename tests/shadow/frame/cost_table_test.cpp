@@ -25,7 +25,6 @@ std::string pair(std::uint64_t count, std::uint64_t size) {
     return count == 0 ? "" : text(count) + " (" + text(size) + ")";
 }
 std::string cell(const std::string& words) { return words.empty() ? "| " : "| " + words + " "; }
-std::string cell(std::uint64_t n) { return cell(n == 0 ? "" : text(n)); }
 
 std::string row(const char* what, const std::string& adds, const std::string& products,
                 const std::string& quotients, const std::string& accesses) {

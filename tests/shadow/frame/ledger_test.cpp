@@ -129,7 +129,7 @@ TEST(Ledger, BlamesTheStageThatWasHeld) {
     Settings s = figure_settings(4);
     s.machine.xy_bits = 5;
     OwnedStore<hw::Depth32> observer(5), light(5);
-    for (hw::Depth32& z : observer.depth) z = random.bits() % 1000;
+    for (hw::Depth32& z : observer.depth) z = static_cast<hw::Depth32>(random.bits() % 1000);
     const hw::MatrixWords matrix = test::random_matrix(random, s.machine, true);
     std::vector<std::uint8_t> mask(observer.depth.size());
     const int stages = closed_form(Schedule{}, PostProcessPipeline(s, matrix)).count - 1;
