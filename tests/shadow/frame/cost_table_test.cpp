@@ -96,7 +96,7 @@ TEST(CostTable, Drawing) {
     expect_row(row("drawn block in perspective: corners divided",
                    Operations{.quotients = corners,
                               .quotient_bits = corners * c::divided_corner_bits}));
-    EXPECT_EQ(c::bounds_and_fate, 43u);
+    EXPECT_EQ(c::bounds_and_action, 43u);
 }
 
 // The oracle above finds what is there and no more.
