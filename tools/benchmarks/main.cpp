@@ -64,7 +64,7 @@ struct Bench {
         settings.arithmetic = shadow::Arithmetic::ap120b;
         shadow::FrameMatrices words;
         shadow::load_matrices(scene, settings, words);
-        return words.array;
+        return words.lights[0].array;
     }
 
     // The same turn about the vertical axis, on pixel coordinates and Z codes of both frames.
