@@ -27,9 +27,9 @@ Comparison compare_figure(int figure, const Settings& s, std::int64_t less_bias_
     const Machine fixed(on_fixed), array(on_array);
     Comparison c;
     for (std::size_t a = 0; a < fixed.visible.size(); ++a) {
-        if (fixed.buffers().mask[a] == array.buffers().mask[a]) continue;
+        if (fixed.buffers().lights[0].mask[a] == array.buffers().lights[0].mask[a]) continue;
         ++c.differ;
-        c.only_array += array.buffers().mask[a] == shadow::mask_shadow;
+        c.only_array += array.buffers().lights[0].mask[a] == shadow::mask_shadow;
     }
     c.fixed = shadow_error(ground().truth, fixed.compared());
     c.array = shadow_error(ground().truth, array.compared());

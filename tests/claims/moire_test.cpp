@@ -171,7 +171,8 @@ TEST(Controls, ARepeatingGeneratorFails) {
             return score(which, MachineMask{mask, machine.visible}).flatness;
         };
         // The test's double of the post-process is the post-process, where the noise is.
-        EXPECT_TRUE(std::ranges::equal(mask_with_noise(machine, at), machine.buffers().mask));
+        EXPECT_TRUE(std::ranges::equal(mask_with_noise(machine, at),
+                                       machine.buffers().lights[0].mask));
         EXPECT_GE(test("the machine's noise", at).median, noise);
         const LocalFlatness rows =
             test("each row the first", [&](int x, int) { return at(x, 0); });

@@ -106,9 +106,9 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
     const shadow::FrameCounts& n = job.counts();
-    f.splits = static_cast<std::int64_t>(n.light.splits + n.observer.splits);
-    f.blocks = static_cast<std::int64_t>(n.light.blocks + n.observer.blocks);
-    f.unresolved = static_cast<std::int64_t>(n.light.unresolved + n.observer.unresolved);
+    f.splits = static_cast<std::int64_t>(n.lights[0].map.splits + n.observer.splits);
+    f.blocks = static_cast<std::int64_t>(n.lights[0].map.blocks + n.observer.blocks);
+    f.unresolved = static_cast<std::int64_t>(n.lights[0].map.unresolved + n.observer.unresolved);
     f.cycles = static_cast<std::int64_t>(job.ledger().total(true));
     const TransformError t = transform_error(
         raster::observer_to_light(scene.observer, scene.light, scene.settings.machine,

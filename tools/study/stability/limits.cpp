@@ -77,7 +77,7 @@ std::string halvings(int k) {
         "case", set);
     RenderJob job(wide.view(), wide.settings);
     job.draw_light();
-    return job.counts().light.unresolved == 0 ? "ok" : "unresolved";
+    return job.counts().lights[0].map.unresolved == 0 ? "ok" : "unresolved";
 }
 // A patch crumpled over 32 000, whose corrections are the greatest there are.
 std::string depth_of_a_crumpled(int k) {
