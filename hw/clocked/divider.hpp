@@ -33,8 +33,11 @@ public:
                                           spec.depth_fraction()};
         bits_ = {spec.xy_bits + spec.fraction_bits + 1, spec.xy_bits + spec.fraction_bits + 1,
                  spec.z_bits + 1};
-        for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t r = 0; r < 3; ++r) {
             shift_[r] = divide_shift(matrix, static_cast<Row>(r), fraction[r]);
+            fixed::require(shift_[r] >= -62 && shift_[r] <= 62,
+                           "clocked divider: shift outside -62..62");
+        }
         longest_ = bits_[0] > bits_[2] ? bits_[0] : bits_[2];
         serial_cycles_ = serial_divide_cycles(spec);
     }
@@ -115,11 +118,9 @@ private:
         if (dividend[3] <= 0) return;
         d.divisor = static_cast<std::uint64_t>(dividend[3]);
         const int up = plan.shift_[r] - plan.bits_[r];  // N / 2^(bits + 1) = |acc| 2^up
-        const bool lost = up > 0 && (up > 63 || d.magnitude >> (64 - up) != 0);
-        const std::uint64_t top = up > 63 || up < -63 ? 0
-                                  : up >= 0           ? d.magnitude << up
-                                                      : d.magnitude >> -up;
-        if ((lost && d.magnitude != 0) || top >= d.divisor) {
+        const bool lost = up > 0 && d.magnitude >> (64 - up) != 0;
+        const std::uint64_t top = up < -63 ? 0 : up < 0 ? d.magnitude >> -up : d.magnitude << up;
+        if (lost || top >= d.divisor) {
             d.result = {d.negative ? fixed::min_signed(plan.bits_[r])
                                    : fixed::max_signed(plan.bits_[r]),
                         DivideStatus::overflow};
@@ -129,8 +130,7 @@ private:
         d.bits_left = plan.bits_[r] + 1;
         // Of what a right shift drops below the last bit, only whether it is zero matters.
         const int dropped = -plan.shift_[r] - 1;
-        d.sticky = dropped > 0 && (dropped > 63 ? d.magnitude != 0
-                                                : d.magnitude << (64 - dropped) != 0);
+        d.sticky = dropped > 0 && d.magnitude << (64 - dropped) != 0;
     }
 
     void make_bit(const DividePipeline& plan, std::size_t r) {
