@@ -20,7 +20,7 @@ std::uint8_t pixel(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<D
             const bool beyond = px < 0 || py < 0 || px >= size || py >= size;
             const std::size_t a = beyond ? here : observer.address(px, py);
             const bool none = observer.depth[a] == background;
-            sum += (2 - dx * dx) * (2 - dy * dy) * (none ? self : mask[a]);
+            sum += low_pass_weight(dx, dy) * (none ? self : mask[a]);
         }
     }
     return static_cast<std::uint8_t>(sum / 16);

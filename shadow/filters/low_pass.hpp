@@ -17,4 +17,7 @@ template <class Depth>
 void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
               Depth background, std::span<std::uint8_t> out);
 
+// The kernel, in sixteenths: the weight of the pixel at (dx, dy) from the centre, each -1 .. 1.
+constexpr int low_pass_weight(int dx, int dy) { return (2 - dx * dx) * (2 - dy * dy); }
+
 }  // namespace umbra78::shadow

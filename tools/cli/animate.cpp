@@ -3,8 +3,8 @@
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/interruptible.hpp"
-#include "tools/render/frame_manifest.hpp"
-#include "tools/render/plan_words.hpp"
+#include "tools/render/sequence_manifest.hpp"
+#include "tools/render/plan_text.hpp"
 #include "tools/render/report.hpp"
 #include "tools/scene/azimuth_sweep.hpp"
 #include "tools/scene/toml_text.hpp"
@@ -94,7 +94,7 @@ private:
     std::unique_ptr<LoadedScene> scene_;  // of the current frame
     std::unique_ptr<LoadedScene> drawn_;  // of the last frame drawn; the job reads its spans
     std::unique_ptr<RenderJob> job_;
-    Manifest old_, manifest_;
+    SequenceManifest old_, manifest_;
     std::set<std::string> warned_;
     ordered_json rows_ = ordered_json::array();
     int drawn_frames_ = 0;
@@ -109,7 +109,7 @@ void Sequence::store(const std::string& file, const std::string& inputs) {
                    &files);
     manifest_.push_back({file, inputs, hash_of(picture)});
     // Entries of later frames stay, so that an interrupted run loses nothing.
-    Manifest all = manifest_;
+    SequenceManifest all = manifest_;
     for (const ManifestEntry& e : old_)
         if (e.file > file) all.push_back(e);
     write_manifest(folder_, all, files);

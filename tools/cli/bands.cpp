@@ -1,7 +1,7 @@
 // umbra78 bands: prints which readings of the paper's sentence about figure 3 fit what is drawn.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
-#include "tools/paper/band_study.hpp"
+#include "tools/paper/bands.hpp"
 #include "tools/render/report.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ void add_bands_command(CLI::App& app, int&) {
     command.json(options->json, "Markdown");
     command.footer("Example:\n  umbra78 bands --bias 32 > bands.md");
     command.runs([options] {
-        const std::vector<BandRow> rows = study_bands(options->bias);
+        const std::vector<BandRow> rows = measure_bands(options->bias);
         fmt::print("{}", options->json ? print(to_json(rows)) : to_markdown(rows, options->bias));
     });
 }

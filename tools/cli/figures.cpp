@@ -2,7 +2,7 @@
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/sheet.hpp"
-#include "tools/paper/figure_studies.hpp"
+#include "tools/paper/figure_comparisons.hpp"
 #include "tools/paper/goldens.hpp"
 #include "tools/paper/scene_words.hpp"
 #include "tools/scene/settings_text.hpp"
@@ -138,7 +138,7 @@ void write_pictures(const Path& out, const FigureSet& set, FileSet& files) {
     write_contact_sheet(out / "sheet.png", set, files);
     write_highlights(out / "highlights.png", &files);
     write_samplings(out / "samplings.png", set, &files);
-    write_array_comparison(out / "ap120b.png", set, &files);
+    write_ap120b_comparison(out / "ap120b.png", set, &files);
 }
 
 void run(const Options& options, int& exit_code) {

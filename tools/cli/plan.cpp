@@ -1,7 +1,7 @@
 // umbra78 plan: prints what a frame needs, what the plan leaves out, why, and the cycles saved.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
-#include "tools/render/plan_words.hpp"
+#include "tools/render/plan_text.hpp"
 #include "tools/render/report.hpp"
 
 #include <fmt/format.h>

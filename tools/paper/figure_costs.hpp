@@ -1,4 +1,4 @@
-// Figures 1 to 6 by each profile's machine: the table the paper could have printed.
+// What figures 1 to 6 cost on each profile's machine.
 #pragma once
 
 #include "shadow/frame/paper_figures.hpp"

@@ -54,7 +54,7 @@ FigureSet::FigureSet()
     index.registration = shadow::Registration::index;
     index_mask_ = mask_with(index);
     for (const int figure : {3, 4})
-        array_masks_[static_cast<std::size_t>(figure - 3)] =
+        ap120b_masks_[static_cast<std::size_t>(figure - 3)] =
             mask_with(shadow::array_figure_settings(figure));
 
     job_.use(figure_settings(4));
@@ -107,8 +107,8 @@ std::vector<Buffer> FigureSet::buffers() const {
             named(job_.buffer(Plane::edges), "edges5"),
             named(job_.buffer(Plane::filtered), "filtered5"),
             named(job_.buffer(Plane::picture), "picture6"),
-            mask_buffer("mask3_ap120b", array_mask(3)),
-            mask_buffer("mask4_ap120b", array_mask(4))};
+            mask_buffer("mask3_ap120b", ap120b_mask(3)),
+            mask_buffer("mask4_ap120b", ap120b_mask(4))};
 }
 
 }  // namespace umbra78::tools

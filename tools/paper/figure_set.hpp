@@ -1,4 +1,4 @@
-// Figures 1 to 6, drawn once through the machine: stages they share are run once.
+// Figures 1 to 6, drawn by the machine; stages that they share are run once.
 #pragma once
 
 #include "shadow/frame/paper_figures.hpp"
@@ -18,9 +18,9 @@ struct Figure {
     int number;
     std::string shows;
     std::vector<std::uint8_t> picture;  // gray, size_px * size_px
-    std::string golden;                 // the buffer that the picture is, or is made from
+    std::string golden;                 // the name of the buffer that the picture is made from
     std::string hash;                   // of that buffer
-    std::uint64_t machine_cycles;       // from scene to figure, as are the milliseconds
+    std::uint64_t machine_cycles;       // from the scene to the figure, as is host_ms
     double host_ms;
     BiasReport bias;
     std::optional<ShadowReport> error;  // figures 3 to 6
@@ -39,8 +39,8 @@ public:
     const std::vector<std::uint8_t>& index_mask() const { return index_mask_; }
 
     // Figure 3 or 4 as the AP-120B computes it.
-    const std::vector<std::uint8_t>& array_mask(int figure) const {
-        return array_masks_[static_cast<std::size_t>(figure - 3)];
+    const std::vector<std::uint8_t>& ap120b_mask(int figure) const {
+        return ap120b_masks_[static_cast<std::size_t>(figure - 3)];
     }
 
     const LoadedScene& scene() const { return scene_; }
@@ -64,7 +64,7 @@ private:
     Band band_;
     RenderJob job_;
     std::vector<std::uint8_t> visible_, mask3_, index_mask_;
-    std::array<std::vector<std::uint8_t>, 2> array_masks_;
+    std::array<std::vector<std::uint8_t>, 2> ap120b_masks_;
     std::array<Figure, shadow::figure_count> figures_{};
 };
 

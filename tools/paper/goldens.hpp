@@ -1,8 +1,7 @@
-// Goldens: what every stage of figures 1 to 6 must be, as PGM pictures and as hashes.
+// Goldens: the buffer that every stage of figures 1 to 6 must produce, as PGM pictures and hashes.
 //
-// A folder holds `<buffer>.pgm` for each buffer and `hashes.txt`, lines of "buffer hash". The
-// pictures are there so that a difference can be seen, the hashes so that another program can be
-// held to them without a picture.
+// A folder holds `<buffer>.pgm` for each buffer and `hashes.txt` with lines of "buffer hash". The
+// pictures show where a buffer differs; the hashes are for programs that do not read pictures.
 #pragma once
 
 #include "tools/io/buffers.hpp"
@@ -16,15 +15,15 @@ namespace umbra78::tools {
 
 using Hashes = std::map<std::string, std::string>;
 
-Hashes read_hashes(const Path& folder);  // empty where there is no hashes.txt
+Hashes read_hashes(const Path& folder);  // empty if there is no hashes.txt
 void bless(const Path& folder, std::span<const Buffer>, FileSet&);
 
 struct GoldenCheck {
     std::string buffer;
-    std::string problem;  // one line; empty where the buffer is its golden
+    std::string problem;  // one line; empty if the buffer equals its golden
     std::vector<std::uint8_t> picture;  // rgb, where pixels differ
 };
-// One check a buffer. Throws where the folder holds no goldens at all.
+// One check for each buffer. Throws std::runtime_error if the folder holds no goldens at all.
 std::vector<GoldenCheck> check(const Path& folder, std::span<const Buffer>);
 
 }  // namespace umbra78::tools

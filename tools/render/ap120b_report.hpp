@@ -1,4 +1,5 @@
-// The AP-120B's ledger of a frame, as text and JSON. Transfers and calls stand apart.
+// The cost of a frame on the AP-120B, as text and JSON. The host's transfers and library calls are
+// not part of the sum and are printed apart.
 #pragma once
 
 #include "shadow/ap120b/cost.hpp"

@@ -2,7 +2,6 @@
 
 #include "tools/render/ap120b_report.hpp"
 
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

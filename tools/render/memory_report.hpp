@@ -1,4 +1,4 @@
-// The memory replay as text and JSON.
+// The memory replay (a frame's post-process with memory chips of the time) as text and JSON.
 #pragma once
 
 #include "shadow/clocked/memory_replay.hpp"
@@ -9,7 +9,7 @@
 
 namespace umbra78::tools {
 
-// Store by store: accesses, page hits, row misses, waits; and the frame beside the ideal one.
+// A line a store: accesses, page hits, row misses, waits; then the time, and that of ideal stores.
 std::string print_memory(const shadow::MemoryLedger&);
 nlohmann::ordered_json to_json(const shadow::MemoryLedger&);
 

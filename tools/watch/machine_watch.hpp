@@ -1,7 +1,8 @@
-// The clocked post-process, watched: what the reader and each stage did in the cycle just ticked.
+// The watch: what the reader and each stage of the clocked post-process did in the last cycle.
 //
-// It looks at the machine from outside, before and after a tick; the machine knows nothing of it.
-// Points are numbered from 1 in the order in which the reader lets them go.
+// It reads the machine's state before and after a tick; the machine does not know about it. A point
+// is a visible pixel on its way; points are numbered from 1 in the order in which the reader
+// releases them.
 #pragma once
 
 #include "shadow/clocked/post_process.hpp"
@@ -12,25 +13,25 @@
 
 namespace umbra78::tools {
 
-enum class Did : std::uint8_t { nothing, work, blocked, held };
+enum class Activity : std::uint8_t { nothing, work, blocked, held };
 
 struct StageCycle {
-    Did did = Did::nothing;
-    std::int8_t slot = hw::Chain<>::none;  // of the point that was in it
+    Activity activity = Activity::nothing;
+    std::int8_t slot = hw::Chain<>::none;  // of the point in the stage
     std::uint64_t point = 0;
-    int step = 0;        // the cycle of its stay, where it worked
+    int step = 0;        // which cycle of its stay this was, if it worked
     bool valid = false;  // its work is done: it moves on if the next stage is ready
-    bool ready = false;  // it takes a point at the end of this cycle
+    bool ready = false;  // the stage can take a point at the end of this cycle
 };
 
-enum class ReaderDid : std::uint8_t { done, read, slot, blocked, held };
+enum class ReaderActivity : std::uint8_t { done, read, slot, blocked, held };
 
 struct ReaderCycle {
-    ReaderDid did = ReaderDid::done;
+    ReaderActivity activity = ReaderActivity::done;
     std::size_t pixel = 0;    // it reads or holds, in scan order
     bool known = false;       // its code has been read
     std::uint32_t code = 0;
-    std::uint64_t let_go = 0; // the point that left it at the end of this cycle; 0: none
+    std::uint64_t released = 0;  // the point that left at the end of this cycle; 0: none
 };
 
 template <class Depth>

@@ -1,3 +1,4 @@
+// How one pixel is followed: unwatched up to its read, then stage by stage.
 #include "tools/watch/pixel_trace.hpp"
 
 #include "tools/scene/scene_error.hpp"
@@ -24,7 +25,7 @@ public:
 
 private:
     void read();
-    void let_go();
+    void leave_reader();
     void work();  // until the mask word is written
     void stage_work(int stage, int step);
     PixelOutcome outcome() const;
@@ -44,7 +45,7 @@ private:
     std::uint64_t last_cycle_ = 0;
 };
 
-// Up to the pixel the machine runs unwatched.
+// Runs the machine, unwatched, until it has read the pixel.
 void PixelTracer::read() {
     const auto each = static_cast<std::uint64_t>(machine_->plan().read_cycles);
     while (machine_->reader().read < index_ * each) machine_->tick();
@@ -62,8 +63,8 @@ void PixelTracer::read() {
               "the observer's intensity plane");
 }
 
-// The last read cycle may be the one that lets the pixel go; else its slot has yet to come.
-void PixelTracer::let_go() {
+// The pixel may leave the reader in its last read cycle; otherwise it waits for its slot.
+void PixelTracer::leave_reader() {
     std::uint64_t cycle = last_cycle_;
     const auto newest = [&] {
         const int slot = machine_->chain().slot(0);
@@ -106,7 +107,7 @@ void PixelTracer::work() {
         last_cycle_ = watch.cycle();
         for (int k = 0; k <= last; ++k) {
             const StageCycle& s = watch.stage(k);
-            if (s.slot != slot_ || s.did != Did::work) continue;
+            if (s.slot != slot_ || s.activity != Activity::work) continue;
             stage_work(k, s.step);
             written = k == last;
         }
@@ -125,9 +126,9 @@ PixelTrace PixelTracer::trace() {
     trace_matrix(log_, frame_.settings(), frame_.matrix());
     read();
     if (outcome() == PixelOutcome::background) {
-        log_.say("background: it goes no further, and its mask word stays 0");
+        log_.say("background: the reader drops it, and its mask word stays 0");
     } else {
-        let_go();
+        leave_reader();
         work();
     }
     return {pixel_,      outcome(),       frame_.mask()[index_], read_cycles_.front(),
@@ -143,7 +144,7 @@ const char* name_of(PixelOutcome outcome) {
 
 std::string summary(const PixelTrace& t) {
     const bool shadow = t.mask == shadow::mask_shadow;
-    const char* how = t.outcome == PixelOutcome::background    ? "background: it ends in the reader"
+    const char* how = t.outcome == PixelOutcome::background    ? "background: the reader drops it"
                       : t.outcome == PixelOutcome::no_quotient ? "no quotient: lit"
                       : t.outcome == PixelOutcome::outside     ? "outside the light's volume: lit"
                       : shadow                      ? "in shadow"
@@ -170,7 +171,7 @@ PixelTrace trace_pixel(const RenderJob& job, Pixel pixel) {
                                            "frame's {}", pixel.x, pixel.y, trace.mask, mask));
     TraceLog log;
     log.at("check");
-    log.say(fmt::format("the frame's own mask word is {}, too", mask));
+    log.say(fmt::format("the frame's own mask word is also {}", mask));
     trace_filters(log, frame, job, pixel.x, pixel.y);
     trace.lines.insert(trace.lines.end(), log.lines().begin(), log.lines().end());
     return trace;

@@ -1,4 +1,6 @@
-// The divider's words: dividend, divisor, quotient, and the certificate that needs no division.
+// The divider's words: dividend, divisor, quotient, and the certificate.
+//
+// The certificate is a check of the quotient that needs no division (hw/MACHINE.md, section 5).
 #include "tools/watch/trace_units.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +25,7 @@ void trace_start(TraceLog& log, const TracedPoint& p, int r) {
              "the bits of |x| above the quotient's");
 }
 
-// 2 |q w - x 2^k| <= w; for negative k both sides times 2^-k, so that they are whole.
+// 2 |q w - x 2^k| <= w. For negative k both sides are multiplied by 2^-k, so that they are whole.
 void trace_certificate(TraceLog& log, const TracedPoint& p, int r) {
     const auto& d = p.flight.divider;
     const auto row = static_cast<std::size_t>(r);
@@ -39,7 +41,7 @@ void trace_certificate(TraceLog& log, const TracedPoint& p, int r) {
     const bool holds = left <= divisor;
     log.number(fmt::format("w_{}", row_names[r]), divisor,
                holds ? "its right side: it holds"
-                     : "its right side: it fails, for this rounding is not to the nearest");
+                     : "its right side: it fails, because this rounding is not to the nearest");
 }
 
 void trace_end(TraceLog& log, const TracedPoint& p, int r) {
@@ -56,11 +58,11 @@ void trace_end(TraceLog& log, const TracedPoint& p, int r) {
              "floor(2 |q|): the last bit is a half");
     log.word(fmt::format("remainder_{}", name),
              unsigned_word(static_cast<std::int64_t>(d.remainder), m.accumulator_bits()),
-             "what is left");
+             "the remainder after the last bit");
     log.word(fmt::format("R_{}", name),
              signed_word(d.result.value, p.plan.divide.bits(r),
                          r == 2 ? m.depth_fraction() : m.fraction_bits),
-             "q, rounded, its sign restored");
+             "q, rounded, with its sign");
     trace_certificate(log, p, r);
 }
 

@@ -1,4 +1,4 @@
-// The filters and the composite: what becomes of a pixel's mask word behind the post-process.
+// The filters' and the composite's words: what happens to a pixel's mask after the post-process.
 #include "tools/watch/trace_units.hpp"
 
 #include "shadow/filters/composite.hpp"
@@ -13,7 +13,7 @@
 namespace umbra78::tools {
 namespace {
 
-struct Place {
+struct TracedPixel {
     const WatchedFrame& frame;
     int x, y;
 
@@ -28,8 +28,8 @@ void expect_equal(std::string_view what, int computed, int buffer) {
                                            computed, buffer));
 }
 
-// The area behind the smoothed chain is a running sum along the row, so it is run again.
-void trace_dequantize(TraceLog& log, const Place& at, const RenderJob& job) {
+// The shadow's area in a pixel is a running sum along the row, so the filter is run again.
+void trace_dequantize(TraceLog& log, const TracedPixel& at, const RenderJob& job) {
     const shadow::Settings& s = at.frame.settings();
     const int bits = s.machine.xy_bits, size = s.machine.size_px();
     std::vector<std::uint32_t> visited(shadow::edge_visited_words(bits));
@@ -48,7 +48,8 @@ void trace_dequantize(TraceLog& log, const Place& at, const RenderJob& job) {
 }
 
 // One pass at the pixel: nine words, their sum, the result.
-void trace_low_pass(TraceLog& log, const Place& at, const std::vector<std::uint8_t>& in, int out) {
+void trace_low_pass(TraceLog& log, const TracedPixel& at, const std::vector<std::uint8_t>& in,
+                    int out) {
     constexpr const char* names[3][3] = {{"nw", "n", "ne"}, {"w", "self", "e"}, {"sw", "s", "se"}};
     const int size = at.store().size_px();
     int sum = 8;
@@ -59,11 +60,11 @@ void trace_low_pass(TraceLog& log, const Place& at, const std::vector<std::uint8
             const bool none = beyond || at.store().depth[at.store().address(x, y)] ==
                                             at.background();
             const int value = in[none ? at.address() : at.store().address(x, y)];
-            const int weight = (2 - dx * dx) * (2 - dy * dy);
+            const int weight = shadow::low_pass_weight(dx, dy);
             log.word(names[dy + 1][dx + 1], unsigned_word(value, 8),
                      fmt::format("times {}{}", weight,
-                                 beyond ? "; beyond the frame: as the pixel itself"
-                                 : none ? "; background: as the pixel itself" : ""));
+                                 beyond ? "; beyond the frame: the pixel's own"
+                                 : none ? "; background: the pixel's own" : ""));
             sum += weight * value;
         }
     }
@@ -72,7 +73,7 @@ void trace_low_pass(TraceLog& log, const Place& at, const std::vector<std::uint8
     expect_equal("low-pass", sum >> 4, out);
 }
 
-void trace_low_passes(TraceLog& log, const Place& at, const RenderJob& job) {
+void trace_low_passes(TraceLog& log, const TracedPixel& at, const RenderJob& job) {
     const std::span<const std::uint8_t> edges = job.bytes(Plane::edges);
     std::vector<std::uint8_t> in(edges.begin(), edges.end()), out(in.size());
     const int passes = at.frame.settings().low_pass_passes;
@@ -85,7 +86,7 @@ void trace_low_passes(TraceLog& log, const Place& at, const RenderJob& job) {
     expect_equal("filtered", in[at.address()], job.bytes(Plane::filtered)[at.address()]);
 }
 
-void trace_composite(TraceLog& log, const Place& at, const RenderJob& job) {
+void trace_composite(TraceLog& log, const TracedPixel& at, const RenderJob& job) {
     const int intensity = job.bytes(Plane::intensity)[at.address()];
     const int mask = job.bytes(Plane::filtered)[at.address()];
     const int density = at.frame.settings().density_q8;
@@ -93,7 +94,7 @@ void trace_composite(TraceLog& log, const Place& at, const RenderJob& job) {
     log.word("I", unsigned_word(intensity, 8), "the observer's intensity");
     log.word("m", unsigned_word(mask, 8), "the filtered mask");
     log.word("d", unsigned_word(density, 9, 8), "the shadow's density");
-    log.word("65280 - m d", unsigned_word(left, 16), "255 256: all of the light");
+    log.word("65280 - m d", unsigned_word(left, 16), "65280 = 255 x 256 is all of the light");
     log.word("I (...)", unsigned_word(std::int64_t{intensity} * left, 24), "");
     const int picture = job.bytes(Plane::picture)[at.address()];
     log.word("picture", unsigned_word(picture, 8), "half_up of that / 65280");
@@ -106,18 +107,18 @@ void trace_composite(TraceLog& log, const Place& at, const RenderJob& job) {
 }  // namespace
 
 void trace_filters(TraceLog& log, const WatchedFrame& frame, const RenderJob& job, int x, int y) {
-    const Place at{frame, x, y};
+    const TracedPixel at{frame, x, y};
     const bool none = frame.observer().depth[at.address()] == at.background();
     log.at("dequantize");
     if (none) {
         log.say("background stays 0 in every filter");
     } else if (frame.settings().dequantize_passes == 0) {
-        log.say("left out: edges is the mask");
+        log.say("left out: edges = mask");
     } else {
         trace_dequantize(log, at, job);
     }
     if (!none) log.at("low-pass");
-    if (!none && frame.settings().low_pass_passes == 0) log.say("left out: filtered is edges");
+    if (!none && frame.settings().low_pass_passes == 0) log.say("left out: filtered = edges");
     if (!none) trace_low_passes(log, at, job);
     log.at("composite");
     trace_composite(log, at, job);

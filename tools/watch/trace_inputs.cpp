@@ -1,4 +1,4 @@
-// What enters the post-process: the matrix, the noise's bytes and the pixel's words.
+// The words that enter the post-process: the matrix, the noise's bytes, the pixel's words.
 #include "tools/watch/trace_units.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@ std::string column_name(std::size_t column) {
     return names[column];
 }
 
-// The k bytes of one dither word, each with the cycle in which its last bit was drawn. Returns the
-// word.
+// Traces the k bytes of one dither word, each with the cycle in which its last bit was drawn, and
+// returns the word.
 std::int32_t trace_dither_word(TraceLog& log, const TracedPoint& p, fixed::NoiseRegister& noise,
                                bool second, const std::vector<std::uint64_t>& read) {
     const int k = hw::uniforms(p.settings.dither.shape);
@@ -55,10 +55,10 @@ void trace_matrix(TraceLog& log, const shadow::Settings& s, const hw::MatrixWord
 }
 
 void trace_noise(TraceLog& log, const TracedPoint& p, const std::vector<std::uint64_t>& read,
-                 std::uint64_t let_go) {
+                 std::uint64_t released) {
     if (!p.plan.dithers) {
-        log.at("noise", let_go);
-        log.say("no dither: X and Y are looked up as they are");
+        log.at("noise", released);
+        log.say("no dither: X and Y are looked up unchanged");
         return;
     }
     const int k = hw::uniforms(p.settings.dither.shape);
@@ -75,7 +75,7 @@ void trace_noise(TraceLog& log, const TracedPoint& p, const std::vector<std::uin
         throw std::logic_error("the clocked noise source and its stream disagree");
 }
 
-void trace_words(TraceLog& log, const TracedPoint& p, std::uint64_t let_go) {
+void trace_words(TraceLog& log, const TracedPoint& p, std::uint64_t released) {
     const hw::MachineSpec& m = p.spec();
     const int bits = m.word_bits(), fraction = m.input_fraction();
     const hw::Words& w = p.flight.transform.words;
@@ -84,7 +84,7 @@ void trace_words(TraceLog& log, const TracedPoint& p, std::uint64_t let_go) {
         return fmt::format("(2 ({} - {}){}) 2^{}: {} is {}", axis, m.half_px(),
                            centre ? " + 1" : "", fraction - 1, axis, at);
     };
-    log.at("words", let_go);
+    log.at("words", released);
     log.word("x", signed_word(w.x, bits, fraction), how("px", p.flight.px));
     log.word("y", signed_word(w.y, bits, fraction), how("py", p.flight.py));
     log.word("z", signed_word(w.z, bits, fraction),

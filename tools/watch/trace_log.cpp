@@ -1,3 +1,4 @@
+// The lines of a trace as a table of text, and as JSON.
 #include "tools/watch/trace_log.hpp"
 
 #include <fmt/format.h>
@@ -10,10 +11,10 @@ namespace umbra78::tools {
 namespace {
 
 constexpr std::size_t columns = 8;
-using Row = std::array<std::string, columns>;
+using TextRow = std::array<std::string, columns>;
 
-Row row_of(const TraceLine& line, bool same) {
-    Row row;
+TextRow row_of(const TraceLine& line, bool same) {
+    TextRow row;
     if (!same) row[0] = line.cycle ? fmt::format("{}", *line.cycle) : "-";
     if (!same) row[1] = line.part;
     row[2] = line.name;
@@ -27,8 +28,8 @@ Row row_of(const TraceLine& line, bool same) {
     return row;
 }
 
-// Numbers stand to the right, words to the left; what only is said needs no columns.
-std::string print(const Row& row, const std::array<std::size_t, columns>& width) {
+// Numbers are aligned right, text left; a remark needs no columns.
+std::string print(const TextRow& row, const std::array<std::size_t, columns>& width) {
     constexpr std::array<bool, columns> right{true, false, false, true, true, false, true, false};
     std::string text = fmt::format("{:>{}}  {:<{}}", row[0], width[0], row[1], width[1]);
     const bool said = row[2].empty();
@@ -52,7 +53,7 @@ void TraceLog::add(TraceLine line) {
     lines_.push_back(std::move(line));
 }
 
-void TraceLog::word(std::string_view name, const Word& word, std::string_view how) {
+void TraceLog::word(std::string_view name, const MachineWord& word, std::string_view how) {
     TraceLine line;
     line.name = name;
     line.word = word;
@@ -76,7 +77,8 @@ void TraceLog::say(std::string_view what) {
 }
 
 std::string to_text(const std::vector<TraceLine>& lines) {
-    std::vector<Row> rows{{"cycle", "part", "word", "decimal", "value", "format", "hex", "how"}};
+    std::vector<TextRow> rows{
+        {"cycle", "part", "word", "decimal", "value", "format", "hex", "how"}};
     const TraceLine* last = nullptr;
     for (const TraceLine& line : lines) {
         rows.push_back(
@@ -84,10 +86,10 @@ std::string to_text(const std::vector<TraceLine>& lines) {
         last = &line;
     }
     std::array<std::size_t, columns> width{};
-    for (const Row& row : rows)
+    for (const TextRow& row : rows)
         for (std::size_t c = 0; c + 1 < columns; ++c) width[c] = std::max(width[c], row[c].size());
     std::string text;
-    for (const Row& row : rows) text += print(row, width);
+    for (const TextRow& row : rows) text += print(row, width);
     return text;
 }
 

@@ -1,4 +1,4 @@
-// The lines of a pixel's trace: a word each, with the unit that has it and the cycle it came in.
+// The lines of a pixel's trace: one word each, with its part of the machine and its cycle.
 #pragma once
 
 #include "tools/watch/word_text.hpp"
@@ -15,18 +15,18 @@ namespace umbra78::tools {
 
 struct TraceLine {
     std::string part;                    // "multiply", "place", ...
-    std::optional<std::uint64_t> cycle;  // none: before the frame, or behind the machine
-    std::string name;                    // "acc_X"; empty where only something is said
-    std::optional<Word> word;            // none: nothing, or a number wider than 64 bits
+    std::optional<std::uint64_t> cycle;  // none: before the frame, or after the post-process
+    std::string name;                    // "acc_X"; empty if the line is only a remark
+    std::optional<MachineWord> word;     // none: a remark, or a number wider than 64 bits
     std::string decimal;                 // of the word, or of that number
     std::string how;                     // where it comes from
 };
 
 class TraceLog {
 public:
-    // What follows belongs to this part and cycle.
+    // The lines that follow belong to this part and cycle.
     void at(std::string_view part, std::optional<std::uint64_t> cycle = {});
-    void word(std::string_view name, const Word&, std::string_view how = "");
+    void word(std::string_view name, const MachineWord&, std::string_view how = "");
     void number(std::string_view name, const WideWord&, std::string_view how = "");
     void say(std::string_view what);
 

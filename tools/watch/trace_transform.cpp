@@ -15,17 +15,17 @@ std::string rounding_name(hw::Rounding r) {
     return std::string(setting->names[static_cast<std::size_t>(r)]);
 }
 
-// Fraction bits of a row's products, sums and accumulator, its exponent taken in.
+// Fraction bits of a row's products, sums and accumulator, with the row's exponent.
 int row_fraction(const TracedPoint& p, std::size_t row) {
     const hw::MachineSpec& m = p.spec();
     return m.coefficient_bits - 2 + m.input_fraction() - p.matrix().exponent[row];
 }
 
-Word row_word(const TracedPoint& p, std::size_t row, std::int64_t value) {
+MachineWord row_word(const TracedPoint& p, std::size_t row, std::int64_t value) {
     return signed_word(value, p.spec().accumulator_bits(), row_fraction(p, row));
 }
 
-// The rows, and of them the columns, that multiply cycle `turn` is about.
+// The rows, and their columns, that are multiplied in multiply cycle `turn`.
 struct Turn {
     std::size_t first_row, rows, first_column, columns;
     int pass;
@@ -41,7 +41,7 @@ Turn turn_of(const hw::TransformPipeline& t, int turn) {
     }
 }
 
-// Where products are cut they are put together from their passes, and added with the last.
+// Products that are cut are put together from their passes and added with the last pass.
 bool adds(const hw::TransformPipeline& t, int pass) {
     return t.spec().dropped_bits() == 0 || pass + 1 == t.passes();
 }
@@ -63,7 +63,7 @@ std::string pass_name(const hw::TransformPipeline& t, int pass) {
                        half(t.word_cut(), both ? pass >> 1 : pass, "the word"));
 }
 
-// Rows whose last product is accumulated with this multiply cycle's.
+// Whether a row's last product is accumulated with this multiply cycle's products.
 bool row_ends(const hw::TransformPipeline& t, int turn) {
     const int each = t.spec().multipliers == 1    ? t.columns() * t.passes()
                      : t.spec().multipliers == 4 ? t.passes()

@@ -1,6 +1,7 @@
 // The words of each unit of the post-process, for a pixel's trace.
 //
-// A function is called behind the cycle it tells of, with the point as the unit then has it.
+// Each function is called after the cycle that it reports, with the point's registers as they are
+// then.
 #pragma once
 
 #include "tools/watch/trace_log.hpp"
@@ -11,7 +12,7 @@
 
 namespace umbra78::tools {
 
-// What all of them read.
+// What all of these functions read.
 struct TracedPoint {
     const shadow::Settings& settings;
     const shadow::PostProcessPipeline& plan;
@@ -23,14 +24,14 @@ struct TracedPoint {
 
 inline constexpr const char* row_names[] = {"X", "Y", "Z", "W"};
 
-// --- trace_inputs.cpp: what enters
+// --- trace_inputs.cpp: what enters the post-process
 
 void trace_matrix(TraceLog&, const shadow::Settings&, const hw::MatrixWords&);
-// `read` holds the cycles the reader spent on the pixel. Throws std::logic_error if the words made
-// from these bytes are not the machine's.
+// `read` has the cycles in which the reader read the pixel. Throws std::logic_error if the words
+// made from these bytes differ from the machine's.
 void trace_noise(TraceLog&, const TracedPoint&, const std::vector<std::uint64_t>& read,
-                 std::uint64_t let_go);
-void trace_words(TraceLog&, const TracedPoint&, std::uint64_t let_go);
+                 std::uint64_t released);
+void trace_words(TraceLog&, const TracedPoint&, std::uint64_t released);
 
 // --- trace_transform.cpp: steps 0 .. latency - 1 of the unit
 
@@ -51,7 +52,7 @@ private:
 
 void trace_divide(TraceLog&, const TracedPoint&, int step, std::uint64_t cycle);
 
-// --- trace_lookup.cpp: a stage each; `step` counts a stage's own cycles
+// --- trace_lookup.cpp: a function a stage; `step` counts the stage's own cycles
 
 void trace_place(TraceLog&, const TracedPoint&);
 void trace_fetch(TraceLog&, const TracedPoint&, int step);
@@ -59,9 +60,9 @@ void trace_interpolate(TraceLog&, const TracedPoint&, int step);
 void trace_compare(TraceLog&, const TracedPoint&);
 void trace_write(TraceLog&, const TracedPoint&, std::uint8_t mask);
 
-// --- trace_filters.cpp: behind the machine, from the frame's buffers
+// --- trace_filters.cpp: after the post-process, from the frame's buffers
 
-// Throws std::logic_error where a buffer is not what the formula gives.
+// Throws std::logic_error if a buffer differs from what the formula gives.
 void trace_filters(TraceLog&, const WatchedFrame&, const RenderJob&, int x, int y);
 
 }  // namespace umbra78::tools

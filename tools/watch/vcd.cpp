@@ -1,3 +1,4 @@
+// How the reader's and the stages' signals become a value change dump.
 #include "tools/watch/vcd.hpp"
 
 #include "tools/watch/machine_watch.hpp"
@@ -20,9 +21,9 @@ public:
           code_(vcd.add(scope, "code", m.z_bits)) {}
 
     void set(VcdText& vcd, const ReaderCycle& r) const {
-        vcd.set(state_, static_cast<std::int64_t>(r.did));
-        vcd.set(go_, r.let_go != 0);
-        if (r.did == ReaderDid::done) return;
+        vcd.set(state_, static_cast<std::int64_t>(r.activity));
+        vcd.set(go_, r.released != 0);
+        if (r.activity == ReaderActivity::done) return;
         const auto pixel = static_cast<std::int64_t>(r.pixel);
         vcd.set(px_, pixel & ((std::int64_t{1} << xy_bits_) - 1));
         vcd.set(py_, pixel >> xy_bits_);
@@ -35,11 +36,11 @@ private:
 };
 
 template <class Depth>
-class Dump {
+class VcdWriter {
 public:
     using Machine = shadow::ClockedPostProcess<Depth>;
 
-    Dump(Machine& machine, const VcdOptions& options)
+    VcdWriter(Machine& machine, const VcdOptions& options)
         : machine_(machine), options_(options), watch_(machine),
           vcd_("umbra78, the clocked post-process: at time cycle x clock what that cycle does"),
           clock_(vcd_.add("umbra78", "clock", 1)), cycle_(vcd_.add("umbra78", "cycle", 32)),
@@ -69,14 +70,14 @@ private:
     }
     void tick() { watch_.tick(options_.holds ? options_.holds(machine_.cycles()) : 0); }
 
-    // True if the cycle last ticked is the first to be written.
+    // Returns whether the last cycle ticked is the first to be written.
     bool skip() {
         if (options_.from) {
             while (!machine_.done() && machine_.cycles() < *options_.from) tick();
             return false;
         }
         while (!machine_.done() && machine_.counts().visible == 0) tick();
-        return machine_.counts().visible == 1 && watch_.reader().let_go == 1;
+        return machine_.counts().visible == 1 && watch_.reader().released == 1;
     }
 
     void write() {
@@ -107,7 +108,7 @@ private:
 
 template <class Depth>
 std::string vcd_of(shadow::ClockedPostProcess<Depth>& machine, const VcdOptions& options) {
-    return Dump<Depth>(machine, options)();
+    return VcdWriter<Depth>(machine, options)();
 }
 
 template <class Depth>

@@ -1,3 +1,4 @@
+// The signals of each kind of stage, with their widths.
 #include "tools/watch/vcd_signals.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ void StageSignals::add_ports(StageKind kind, bool first, const shadow::PostProce
     });
 }
 
-// The registers travel with the point, so every stage of the unit has its accumulators.
+// A point's registers move with it, so every stage of the unit has its accumulators.
 void StageSignals::transform_ports(bool first, const hw::TransformPipeline& t) {
     const hw::MachineSpec& m = t.spec();
     const auto rows = static_cast<std::size_t>(t.rows());
@@ -86,7 +87,7 @@ void StageSignals::divider_ports(const shadow::PostProcessPipeline& plan) {
     }
 }
 
-// X and Y have their dither added, Z half the range of codes: a bit more than the results have.
+// X and Y include their dither, Z an offset of half the range: one bit more than the results.
 void StageSignals::place_ports(const shadow::PostProcessPipeline& plan) {
     const hw::MachineSpec& m = plan.lookup.spec;
     const auto bits = [&](int row) {
@@ -118,7 +119,7 @@ void StageSignals::interpolate_ports(const hw::MachineSpec& m) {
 }
 
 void StageSignals::set(VcdText& vcd, const StageCycle& s, const Flight* in_it) const {
-    vcd.set(state_, static_cast<std::int64_t>(s.did));
+    vcd.set(state_, static_cast<std::int64_t>(s.activity));
     vcd.set(valid_, s.valid);
     vcd.set(ready_, s.ready);
     vcd.set(point_, static_cast<std::int64_t>(s.point));

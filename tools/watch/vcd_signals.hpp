@@ -12,7 +12,7 @@ namespace umbra78::tools {
 
 class StageSignals {
 public:
-    // Declares them. `first` stages of a unit have what enters it, too.
+    // Declares the signals. The `first` stage of a unit also has the words that enter it.
     StageSignals(VcdText&, const std::string& scope, shadow::StageKind, bool first,
                  const shadow::PostProcessPipeline&);
 

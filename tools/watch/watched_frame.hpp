@@ -1,7 +1,7 @@
-// A drawn frame as the instruments need it: its planes copied, and the clocked post-process that
-// runs on them again.
+// A drawn frame for the instruments: a copy of its planes, and the clocked post-process that runs
+// on them again.
 //
-// The copy has 32 bits a depth whatever the frame has; the machine's bits and cycles do not depend
+// The copy has 32 bits a depth, whatever the frame has; the machine's bits and cycles do not depend
 // on that.
 #pragma once
 
@@ -22,13 +22,13 @@ public:
     // Of a job that is rendered. Throws SceneError for the correct form, which has no
     // post-process.
     explicit WatchedFrame(const RenderJob&);
-    // Of any two depth planes, without intensity.
+    // From any two depth planes, without intensity.
     WatchedFrame(const shadow::Settings&, const hw::MatrixWords& observer_to_light,
                  std::vector<hw::Depth32> observer, std::vector<hw::Depth32> light);
     WatchedFrame(const WatchedFrame&) = delete;
     WatchedFrame& operator=(const WatchedFrame&) = delete;
 
-    // The machine before its first cycle; what it writes is mask(). One at a time.
+    // A new machine before its first cycle. It writes mask(), so use one at a time.
     std::unique_ptr<Machine> machine();
 
     const shadow::Settings& settings() const { return settings_; }

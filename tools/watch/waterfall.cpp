@@ -1,3 +1,4 @@
+// How the waterfall's rows are recorded, cycle by cycle, and printed.
 #include "tools/watch/waterfall.hpp"
 
 #include "tools/watch/machine_watch.hpp"
@@ -11,10 +12,10 @@
 namespace umbra78::tools {
 namespace {
 
-// A point that was asked for.
-struct Crossing {
+// When a point that was asked for was where.
+struct PointTimes {
     int px = 0, py = 0;
-    std::uint64_t let_go = 0, written = 0, waited = 0;
+    std::uint64_t released = 0, written = 0, waited = 0;
     bool done = false;
 };
 
@@ -28,21 +29,21 @@ public:
     std::string operator()() {
         skip();
         while (!finished()) cycle();
-        return picture() + crossings() + closed_form();
+        return picture() + point_lines() + closed_form();
     }
 
 private:
     int last() const { return machine_.chain().stages() - 1; }
     bool finished() const {
         return machine_.done() || rows_[0].size() >= std::size_t(options_.max_cycles) ||
-               (crossing_.size() == std::size_t(options_.points) && crossing_.back().done);
+               (points_.size() == std::size_t(options_.points) && points_.back().done);
     }
 
     void tick() {
         watch_.tick(options_.holds ? options_.holds(machine_.cycles()) : 0);
     }
 
-    // To the first column; that cycle is recorded, too.
+    // Runs up to the first column, and records that cycle if it was ticked to find it.
     void skip() {
         if (options_.from) {
             while (!machine_.done() && machine_.cycles() < *options_.from) tick();
@@ -67,27 +68,27 @@ private:
                                                                                : '>';
     }
 
-    // A visible pixel in the reader is the next point to be let go.
+    // A visible pixel in the reader is the next point to be released.
     char reader_letter(const ReaderCycle& r) const {
         const bool visible = r.known && r.code != background();
-        switch (r.did) {
-            case ReaderDid::done: return ' ';
-            case ReaderDid::slot: return r.let_go != 0 ? letter(r.let_go) : '~';
-            case ReaderDid::blocked: return '=';
-            case ReaderDid::held: return '#';
-            case ReaderDid::read: break;
+        switch (r.activity) {
+            case ReaderActivity::done: return ' ';
+            case ReaderActivity::slot: return r.released != 0 ? letter(r.released) : '~';
+            case ReaderActivity::blocked: return '=';
+            case ReaderActivity::held: return '#';
+            case ReaderActivity::read: break;
         }
         if (!visible) return r.known ? '.' : '-';
-        return letter(r.let_go != 0 ? r.let_go : machine_.counts().visible + 1);
+        return letter(r.released != 0 ? r.released : machine_.counts().visible + 1);
     }
     std::uint32_t background() const { return machine_.plan().lookup.spec.background(); }
 
     static char stage_letter(const StageCycle& s, char point) {
-        switch (s.did) {
-            case Did::nothing: return '.';
-            case Did::blocked: return '=';
-            case Did::held: return '#';
-            case Did::work: break;
+        switch (s.activity) {
+            case Activity::nothing: return '.';
+            case Activity::blocked: return '=';
+            case Activity::held: return '#';
+            case Activity::work: break;
         }
         return point;
     }
@@ -99,17 +100,17 @@ private:
         for (int k = 0; k <= last(); ++k) {
             const StageCycle& s = watch_.stage(k);
             rows_[static_cast<std::size_t>(k) + 1] += stage_letter(s, letter(s.point));
-            if (s.point > before_ && s.point - before_ <= crossing_.size()) follow(k, s);
+            if (s.point > before_ && s.point - before_ <= points_.size()) follow(k, s);
         }
-        if (r.let_go != 0 && crossing_.size() < std::size_t(options_.points)) {
+        if (r.released != 0 && points_.size() < std::size_t(options_.points)) {
             const auto& f = machine_.flight(machine_.chain().slot(0));
-            crossing_.push_back({f.px, f.py, watch_.cycle(), 0, 0, false});
+            points_.push_back({f.px, f.py, watch_.cycle(), 0, 0, false});
         }
     }
 
     void follow(int stage, const StageCycle& s) {
-        Crossing& c = crossing_[static_cast<std::size_t>(s.point - before_ - 1)];
-        if (s.did != Did::work) ++c.waited;
+        PointTimes& c = points_[static_cast<std::size_t>(s.point - before_ - 1)];
+        if (s.activity != Activity::work) ++c.waited;
         if (stage != last() || !s.valid) return;
         c.written = watch_.cycle();
         c.done = true;
@@ -119,12 +120,12 @@ private:
         return row == 0 ? "reader" : std::string(machine_.chain().name(static_cast<int>(row) - 1));
     }
 
-    // Every tenth cycle's number, and a mark below it.
+    // The number of every tenth cycle, with a mark below it.
     void ruler(std::string& text, std::size_t from, std::size_t columns) const {
         std::string numbers, marks;
         for (std::size_t c = 0; c < columns; ++c) {
             if ((first_ + from + c) % 10 != 0) continue;
-            // One that would run into the number before it is left out.
+            // A number that would touch the one before it is left out.
             if (numbers.empty() || numbers.size() < c) numbers.resize(c, ' ');
             if (numbers.size() == c) numbers += fmt::format("{}", first_ + from + c);
             marks.resize(c, ' ');
@@ -147,24 +148,24 @@ private:
         return text;
     }
 
-    std::string crossings() const {
+    std::string point_lines() const {
         std::string text;
-        for (std::size_t k = 0; k < crossing_.size(); ++k) {
-            const Crossing& c = crossing_[k];
+        for (std::size_t k = 0; k < points_.size(); ++k) {
+            const PointTimes& c = points_[k];
             text += fmt::format("{}  pixel ({}, {}): leaves the reader in cycle {}", letter(
-                                    before_ + k + 1), c.px, c.py, c.let_go);
+                                    before_ + k + 1), c.px, c.py, c.released);
             if (c.done)
                 text += fmt::format(", is written in {}: {} cycles, {} of them waiting", c.written,
-                                    c.written - c.let_go, c.waited);
-            text += c.done ? "\n" : "; what follows is left out\n";
+                                    c.written - c.released, c.waited);
+            text += c.done ? "\n" : "; later cycles are not shown\n";
         }
         return text;
     }
 
     std::string closed_form() const {
         const shadow::PostProcessPipeline& p = machine_.plan();
-        return fmt::format("closed form: points at least S = {} cycles apart, L = {} on their "
-                           "way, {} to read a pixel\n",
+        return fmt::format("closed form: points are S = {} cycles apart or more, L = {} cycles on "
+                           "their way; {} to read a pixel\n",
                            p.slot_cycles, p.latency, p.read_cycles);
     }
 
@@ -172,7 +173,7 @@ private:
     const WaterfallOptions& options_;
     MachineWatch<Depth> watch_;
     std::vector<std::string> rows_;    // the reader's, then the stages'
-    std::vector<Crossing> crossing_;
+    std::vector<PointTimes> points_;
     std::uint64_t first_ = 0;          // cycle of the first column
     std::uint64_t before_ = 0;         // points let go before it
 };

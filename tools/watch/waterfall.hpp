@@ -1,4 +1,4 @@
-// A waterfall: who stands in which stage in which cycle, as text.
+// A waterfall: which point is in which stage in which cycle, as text.
 //
 //   cycle               10
 //                       |
@@ -9,10 +9,11 @@
 //   place        .......1..2=.3..
 //   fetch        ........###12.3.     (its clock held for three cycles)
 //
-// 1 to 9, a to z, A to Z are points in the order in which they enter; '<' one that was there
-// before, '>' one that comes after those asked for. '.' is a bubble; '=' a point that is done and
-// blocked, '#' one whose clock is held. In the reader's row '.' reads background, '-' is a cycle of
-// a longer read, '~' waits for the next slot, and a blank is the end of the scan.
+// 1 to 9, a to z, A to Z are points (visible pixels on their way) in the order in which they enter.
+// '<' is a point that was there before, '>' one that comes after those asked for. '.' is a bubble,
+// '=' a point that is done and blocked by the next stage, '#' a point whose clock is held. In the
+// reader's row '.' reads background, '-' is a cycle of a longer read, '~' waits for the next slot,
+// and a blank is after the end of the scan.
 #pragma once
 
 #include "tools/render/render_job.hpp"
@@ -28,21 +29,21 @@ namespace umbra78::tools {
 
 struct WaterfallOptions {
     int points = 6;  // 1 .. 61
-    // The first column. None: the cycle in which the first visible pixel leaves the reader.
+    // The first column's cycle. None: that in which the first visible pixel leaves the reader.
     std::optional<std::uint64_t> from;
-    int max_cycles = 400;  // shown; more are said to be left out
-    int wide = 80;          // columns, before the rows are begun again
-    // Which clocks are held in a cycle; none where it is empty.
+    int max_cycles = 400;  // columns at most; the text says if points go on after them
+    int wide = 80;         // columns before the rows are continued below
+    // Which clocks are held in a cycle; empty: none.
     std::function<hw::StageMask(std::uint64_t cycle)> holds;
 };
 
-// The machine is ticked from where it stands until the points have left it. Behind the picture
-// each point's cycles are told, and the closed form's S and L.
+// Ticks the machine from its present cycle until the points have left it. After the picture the
+// text has each point's cycles, and the closed form's S and L (hw/MACHINE.md, section 16).
 template <class Depth>
 std::string waterfall(shadow::ClockedPostProcess<Depth>& machine,
                       const WaterfallOptions& options = {});
 
-// The same on a machine of its own over a rendered frame.
+// The same for a new machine over a rendered frame.
 std::string waterfall(const RenderJob&, const WaterfallOptions& options = {});
 
 }  // namespace umbra78::tools

@@ -18,17 +18,17 @@ int magnitude_bits(std::int64_t value) {
 
 }  // namespace
 
-Word signed_word(std::int64_t value, int bits, int fraction) {
+MachineWord signed_word(std::int64_t value, int bits, int fraction) {
     return {value, std::max(bits, magnitude_bits(value) + 1), fraction, true};
 }
 
-Word unsigned_word(std::int64_t value, int bits, int fraction) {
+MachineWord unsigned_word(std::int64_t value, int bits, int fraction) {
     return {value, std::max(bits, magnitude_bits(value)), fraction, false};
 }
 
-// Beyond print_decimal's 60 places, and for words that count more than ones, a power of two says it
-// better.
-std::string real_text(const Word& word) {
+// print_decimal has at most 60 places; more places, and words whose unit is above 1, are printed
+// with a power of two.
+std::string real_text(const MachineWord& word) {
     if (word.fraction < 0 || word.fraction > 60)
         return fmt::format("{} x 2^{}", word.value, -word.fraction);
     std::array<char, fixed::longest_decimal> text;
@@ -36,12 +36,12 @@ std::string real_text(const Word& word) {
     return {text.data(), static_cast<std::size_t>(length)};
 }
 
-std::string format_text(const Word& word) {
+std::string format_text(const MachineWord& word) {
     const int whole = word.bits - word.fraction - (word.has_sign ? 1 : 0);
     return fmt::format("{}Q{}.{}", word.has_sign ? "" : "U", whole, word.fraction);
 }
 
-std::string hex_text(const Word& word) {
+std::string hex_text(const MachineWord& word) {
     const std::uint64_t mask = word.bits >= 64 ? ~std::uint64_t{0}
                                                : (std::uint64_t{1} << word.bits) - 1;
     return fmt::format("{:0{}x}", static_cast<std::uint64_t>(word.value) & mask,

@@ -2,7 +2,7 @@
 // an interrupted sequence continues to the same files.
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
-#include "tools/render/frame_manifest.hpp"
+#include "tools/render/sequence_manifest.hpp"
 #include "tools/scene/azimuth_sweep.hpp"
 
 #include <nlohmann/json.hpp>
@@ -182,7 +182,8 @@ TEST_F(Animate, AFailureIsOneLine) {
         {"none.toml --frames 2 --light 0:9",
          "cannot read 'none.toml': No such file or directory; give the path of a scene file"},
         {figures_scene + " --frames 2 --light 0:9 --out other",
-         "'other/frames.json' is no list of frames; remove it, or name another folder with --out"},
+         "'other/frames.json' is not a list of frames; remove it, or name another folder with "
+         "--out"},
         {figures_scene + " --frames 2 --light 0:9 --out file",
          "cannot make the folder 'file': Not a directory; name a place that can be written to"},
     };

@@ -1,7 +1,7 @@
 // umbra78 plan: every omission has its reason, the savings add up, and errors are one line.
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
-#include "tools/render/plan_words.hpp"
+#include "tools/render/plan_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -55,7 +55,7 @@ TEST_F(Program, PlanPrintsATable) {
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     for (const char* line :
          {"64 x 64 pixels, ", "\ncycles of  ", "\nlight's view  ", "\nleft out  ", "\nneeded  ",
-          "\nthe composite ", "  density is 0\n", "both views are in perspective: W is no constant",
+          "\nthe composite ", "  density is 0\n", "both views are in perspective: W varies",
           "unit cycles instead of "})
         EXPECT_NE(ran.out.find(line), std::string::npos) << line << "\n" << ran.out;
 }
@@ -82,7 +82,7 @@ TEST_F(Program, PlanFailsInOneLine) {
     EXPECT_EQ(run("plan").err, "umbra78: scene is required; see umbra78 plan --help\n");
 }
 
-TEST(PlanWords, EachHasItsOwn) {
+TEST(PlanText, EachHasItsOwn) {
     std::set<std::string_view> keys, names, reasons;
     for (std::size_t k = 0; k < shadow::omission_count; ++k) {
         keys.insert(key_of(static_cast<shadow::Omission>(k)));

@@ -4,7 +4,7 @@
 #include "tests/support/paths.hpp"
 #include "tools/io/text_formats.hpp"
 #include "tools/paper/figure_set.hpp"
-#include "tools/paper/figure_studies.hpp"
+#include "tools/paper/figure_comparisons.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

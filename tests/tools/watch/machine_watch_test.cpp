@@ -1,4 +1,4 @@
-// The watch: whenever it is attached, it tells the same; the reader's pixel is the one let go.
+// The watch reports the same whenever it is attached, and the reader's pixel is the one released.
 #include "tools/watch/machine_watch.hpp"
 
 #include "tests/support/effort.hpp"
@@ -15,14 +15,14 @@ using Watch = MachineWatch<hw::Depth32>;
 void expect_same(const StageCycle& early, const StageCycle& late) {
     EXPECT_EQ(early.point, late.point);
     EXPECT_EQ(early.step, late.step);
-    EXPECT_EQ(early.did, late.did);
+    EXPECT_EQ(early.activity, late.activity);
     EXPECT_EQ(early.valid, late.valid);
     EXPECT_EQ(early.ready, late.ready);
 }
 
-TEST(MachineWatch, AttachedLateItTellsTheSame) {
+TEST(MachineWatch, AttachedLateItReportsTheSame) {
     Random random;
-    std::uint64_t let_go = 0;
+    std::uint64_t released = 0;
     for (int round = 0; round < umbra78::test::effort(100); ++round) {
         const auto frame = test::random_frame(random, test::random_machine(random));
         const auto machine = frame->machine();
@@ -39,17 +39,17 @@ TEST(MachineWatch, AttachedLateItTellsTheSame) {
             late.tick(holds[t]);
             for (int k = 0; k < stages; ++k) expect_same(early.stage(k), late.stage(k));
             const ReaderCycle& r = late.reader();
-            EXPECT_EQ(r.let_go, early.reader().let_go);
+            EXPECT_EQ(r.released, early.reader().released);
             EXPECT_EQ(r.pixel, early.reader().pixel);
-            if (r.let_go == 0) continue;
+            if (r.released == 0) continue;
             const shadow::Flight& f = twin->flight(twin->chain().slot(0));
             EXPECT_EQ(r.pixel, (std::size_t(f.py) << bits) + std::size_t(f.px));
             EXPECT_EQ(r.code, f.code);
-            ++let_go;
+            ++released;
         }
         if (HasFailure()) return;
     }
-    EXPECT_GT(let_go, std::uint64_t(umbra78::test::effort(100)));
+    EXPECT_GT(released, std::uint64_t(umbra78::test::effort(100)));
 }
 
 }  // namespace

@@ -150,18 +150,18 @@ TEST(PixelTrace, PartsFollowEachOtherCycleByCycle) {
 // --- any pixel -----------------------------------------------------------------------------------
 
 // Cycles of a point never go back, its mask word comes L cycles after it left the reader, and each
-// word is told alike in every form.
+// word is the same in every form.
 void expect_sound(const PixelTrace& t, const shadow::PostProcessPipeline& plan) {
-    std::uint64_t last = 0, let_go = 0;
+    std::uint64_t last = 0, released = 0;
     for (const TraceLine& line : t.lines) {
-        if (line.part == "words") let_go = *line.cycle;
-        // Noise is told byte by byte, the cycles it was drawn in before the pixel left.
+        if (line.part == "words") released = *line.cycle;
+        // Noise is traced byte by byte, with cycles before the pixel left the reader.
         if (line.cycle && line.part != "noise") {
             EXPECT_GE(*line.cycle, last);
             last = *line.cycle;
         }
         if (!line.word) continue;
-        const Word& w = *line.word;
+        const MachineWord& w = *line.word;
         EXPECT_EQ(line.decimal, std::to_string(w.value));
         ASSERT_TRUE(w.bits >= 1 && w.bits <= 64) << line.name;
         std::uint64_t bits = std::stoull(hex_text(w), nullptr, 16);
@@ -171,8 +171,8 @@ void expect_sound(const PixelTrace& t, const shadow::PostProcessPipeline& plan) 
     }
     if (t.outcome == PixelOutcome::background) return;
     EXPECT_EQ(last, t.last_cycle);
-    EXPECT_EQ(t.last_cycle - let_go, static_cast<std::uint64_t>(plan.latency));
-    EXPECT_GE(let_go, t.first_cycle + static_cast<std::uint64_t>(plan.read_cycles) - 1);
+    EXPECT_EQ(t.last_cycle - released, static_cast<std::uint64_t>(plan.latency));
+    EXPECT_GE(released, t.first_cycle + static_cast<std::uint64_t>(plan.read_cycles) - 1);
 }
 
 // The words against the functional unit's, noise's and mask's.
@@ -339,7 +339,7 @@ TEST(PixelTrace, ItsJsonHasTheSameWords) {
 
 TEST(WordText, DecimalFormatAndHexadecimal) {
     const struct {
-        Word word;
+        MachineWord word;
         const char *real, *format, *hex;
     } cases[] = {
         {signed_word(-22464, 16, 7), "-175.5", "Q8.7", "a840"},

@@ -163,9 +163,9 @@ void expect_cycle(const Dump& dump, const Watch& watch, std::uint64_t ns) {
     EXPECT_EQ(dump.at("umbra78.clock", ns), 1u);
     EXPECT_EQ(dump.at("umbra78.cycle", ns), watch.cycle());
     const ReaderCycle& r = watch.reader();
-    EXPECT_EQ(dump.at("umbra78.reader.state", ns), std::uint64_t(r.did));
-    EXPECT_EQ(dump.at("umbra78.reader.go", ns), r.let_go != 0);
-    if (r.known && r.did != ReaderDid::done) {
+    EXPECT_EQ(dump.at("umbra78.reader.state", ns), std::uint64_t(r.activity));
+    EXPECT_EQ(dump.at("umbra78.reader.go", ns), r.released != 0);
+    if (r.known && r.activity != ReaderActivity::done) {
         EXPECT_EQ(dump.at("umbra78.reader.code", ns), r.code);
     }
     const auto& machine = watch.machine();
@@ -173,7 +173,7 @@ void expect_cycle(const Dump& dump, const Watch& watch, std::uint64_t ns) {
         const StageCycle& s = watch.stage(k);
         const std::string scope =
             "umbra78.s" + std::to_string(k) + "_" + std::string(machine.chain().name(k)) + ".";
-        EXPECT_EQ(dump.at(scope + "state", ns), std::uint64_t(s.did));
+        EXPECT_EQ(dump.at(scope + "state", ns), std::uint64_t(s.activity));
         EXPECT_EQ(dump.at(scope + "valid", ns), s.valid);
         EXPECT_EQ(dump.at(scope + "ready", ns), s.ready);
         EXPECT_EQ(dump.at(scope + "point", ns), s.point);

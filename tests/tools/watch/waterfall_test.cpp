@@ -1,4 +1,4 @@
-// The waterfall: every letter stands where the rules of valid and ready put the point.
+// The waterfall: every letter is where the rules of valid and ready put the point.
 #include "tools/watch/waterfall.hpp"
 
 #include "tests/support/effort.hpp"
@@ -142,7 +142,7 @@ write        .............12.3
 1  pixel (3, 0): leaves the reader in cycle 3, is written in 16: 13 cycles, 3 of them waiting
 2  pixel (4, 0): leaves the reader in cycle 6, is written in 17: 11 cycles, 1 of them waiting
 3  pixel (5, 0): leaves the reader in cycle 9, is written in 19: 10 cycles, 0 of them waiting
-closed form: points at least S = 3 cycles apart, L = 10 on their way, 1 to read a pixel
+closed form: points are S = 3 cycles apart or more, L = 10 cycles on their way; 1 to read a pixel
 )");
 }
 
@@ -161,8 +161,8 @@ TEST(Waterfall, LongOnesAreBrokenAndCut) {
     std::size_t pieces = 0;
     for (std::size_t at = 0; (at = text.find("reader  ", at)) != std::string::npos; ++at) ++pieces;
     EXPECT_EQ(pieces, 3u);
-    EXPECT_NE(text.find("; what follows is left out\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("points at least S = 9 cycles apart"), std::string::npos) << text;
+    EXPECT_NE(text.find("; later cycles are not shown\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("points are S = 9 cycles apart or more"), std::string::npos) << text;
 
     std::fill(observer.begin(), observer.end(), s.machine.background());
     WatchedFrame empty(s, matrix, observer, light);

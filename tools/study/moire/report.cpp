@@ -1,6 +1,6 @@
 #include "tools/study/moire/report.hpp"
 
-#include "tools/paper/band_study.hpp"
+#include "tools/paper/bands.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -187,9 +187,9 @@ void tell_beat(std::span<const Row> rows, Report& report) {
     }
 }
 
-// Williams 1978, p. 273, on figure 3: the reading of tools/paper/band_study.hpp.
+// Williams 1978, p. 273, on figure 3: the reading of tools/paper/bands.hpp.
 void tell_bands(Report& report) {
-    const auto rows = study_bands(64);
+    const auto rows = measure_bands(64);
     std::vector<std::vector<std::string>> table{{"light", "sampling", "registration", "limb",
         "middle", "inner", "line", "line is the light's right edge", "greatest at the line",
         "band left of the line", "observer's right edge dark"}};

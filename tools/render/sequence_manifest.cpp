@@ -1,4 +1,4 @@
-#include "tools/render/frame_manifest.hpp"
+#include "tools/render/sequence_manifest.hpp"
 
 #include "fixed/fnv.hpp"
 #include "tools/io/buffers.hpp"
@@ -62,23 +62,23 @@ std::string hash_inputs(const LoadedScene& scene) {
     return hash.text();
 }
 
-Manifest read_manifest(const Path& folder) {
+SequenceManifest read_manifest(const Path& folder) {
     const Path path = folder / manifest_name;
     std::error_code none;
     if (!std::filesystem::exists(path, none)) return {};
     try {
-        Manifest manifest;
+        SequenceManifest manifest;
         const ordered_json json = parse_json(text_of(path));
         for (const ordered_json& row : json.at("frames"))
             manifest.push_back({row.at("file"), row.at("inputs"), row.at("picture")});
         return manifest;
     } catch (const nlohmann::json::exception&) {
-        throw std::runtime_error(fmt::format("'{}' is no list of frames; remove it, or name "
+        throw std::runtime_error(fmt::format("'{}' is not a list of frames; remove it, or name "
                                              "another folder with --out", path.string()));
     }
 }
 
-void write_manifest(const Path& folder, const Manifest& manifest, FileSet& files) {
+void write_manifest(const Path& folder, const SequenceManifest& manifest, FileSet& files) {
     ordered_json json{{"frames", ordered_json::array()}};
     for (const ManifestEntry& e : manifest)
         json["frames"].push_back({{"file", e.file}, {"inputs", e.inputs}, {"picture", e.picture}});
@@ -86,7 +86,7 @@ void write_manifest(const Path& folder, const Manifest& manifest, FileSet& files
     write_file(folder / manifest_name, std::as_bytes(std::span(text)), &files);
 }
 
-const ManifestEntry* find_drawn(const Manifest& manifest, const Path& folder,
+const ManifestEntry* find_drawn(const SequenceManifest& manifest, const Path& folder,
                                 const std::string& file, const std::string& inputs) {
     for (const ManifestEntry& e : manifest) {
         if (e.file != file || e.inputs != inputs) continue;

@@ -1,4 +1,4 @@
-// The words of a plan: what is left out, why, and from which stage.
+// A plan as text: the names of stages and omissions, and the reasons of decisions.
 #pragma once
 
 #include "shadow/frame/costs.hpp"
@@ -12,14 +12,14 @@
 
 namespace umbra78::tools {
 
-// "light_map", as JSON has it, and "the light map" in a line of text.
+// key_of is the name in JSON ("light_map"), name_of the name in text ("the light's view").
 std::string_view key_of(shadow::Omission);
 std::string_view name_of(shadow::Omission);
 std::string_view explain(shadow::Reason);
 std::string_view key_of(shadow::FrameStage);
 std::string_view name_of(shadow::FrameStage);
 
-// The keys of what the frame before left in place: "same_light_map", ...
+// The keys of what is kept from the frame before: "same_light_map", ...
 std::vector<std::string> kept(const shadow::FramePlan&);
 
 std::string grouped(std::uint64_t);  // "12 345 678"

@@ -1,4 +1,4 @@
-#include "tools/render/plan_words.hpp"
+#include "tools/render/plan_text.hpp"
 
 #include <array>
 
@@ -10,11 +10,11 @@ using shadow::FramePlan;
 using shadow::Reason;
 using shadow::FrameStage;
 
-struct Words {
+struct Names {
     std::string_view key, name;
 };
 
-constexpr std::array<Words, shadow::omission_count> omissions{{
+constexpr std::array<Names, shadow::omission_count> omissions{{
     {"divide", "the divide by W"},
     {"w_row", "row W of the matrices"},
     {"constant_product", "the fourth product"},
@@ -33,7 +33,7 @@ constexpr std::array<Words, shadow::omission_count> omissions{{
     {"same_picture", "filters and picture, kept"},
 }};
 
-constexpr std::array<Words, shadow::stage_count> stages{{
+constexpr std::array<Names, shadow::stage_count> stages{{
     {"light", "light's view"},
     {"observer", "observer's view"},
     {"post_process", "post-process"},
@@ -53,8 +53,8 @@ std::string_view explain(Reason reason) {
     switch (reason) {
         case Reason::affine: return "no view is in perspective: W is 1";
         case Reason::partly_affine: return "W is 1 in the view that is not in perspective";
-        case Reason::depth_alone: return "the light map holds Z alone";
-        case Reason::nothing_there: return "where nothing was drawn nothing can be in shadow";
+        case Reason::depth_alone: return "the light map holds only Z";
+        case Reason::nothing_there: return "nothing was drawn there, so nothing is in shadow";
         case Reason::dither_off: return "dither is none";
         case Reason::dither_rounds_to_zero: return "dither is so small that every word is 0";
         case Reason::no_caster: return "every patch lies outside the light's view";
@@ -65,12 +65,12 @@ std::string_view explain(Reason reason) {
         case Reason::graded: return "it follows edges, and the method's darkness is graded";
         case Reason::invisible_shadow: return "density is 0";
         case Reason::shadow_in_shading: return "the correct form's shadow is in the shading";
-        case Reason::unchanged: return "nothing it is made from has changed";
-        case Reason::perspective: return "both views are in perspective: W is no constant";
+        case Reason::unchanged: return "nothing that it is made from has changed";
+        case Reason::perspective: return "both views are in perspective: W varies";
         case Reason::may_shadow: return "a shadow may fall on something visible";
         case Reason::tested_when_drawn: return "the correct form tests points as they are drawn";
         case Reason::asked_for: return "a setting asks for it";
-        case Reason::changed: return "something it is made from has changed";
+        case Reason::changed: return "something that it is made from has changed";
         case Reason::no_frame_before: return "there is no frame before it";
         case Reason::none: return "the plan leaves out nothing";
     }

@@ -1,4 +1,4 @@
-#include "tools/paper/band_study.hpp"
+#include "tools/paper/bands.hpp"
 
 #include "tools/io/text_formats.hpp"
 #include "tools/paper/figure_set.hpp"
@@ -50,7 +50,7 @@ bool BandRow::band_left_of_line() const {
     return band && !right_edge_lit();
 }
 
-std::vector<BandRow> study_bands(int bias_quanta) {
+std::vector<BandRow> measure_bands(int bias_quanta) {
     std::vector<BandRow> rows;
     for (const int azimuth : {-100, -80, 80, 100}) {
         LoadedScene scene = figures_scene();

@@ -1,4 +1,4 @@
-#include "tools/paper/figure_studies.hpp"
+#include "tools/paper/figure_comparisons.hpp"
 
 #include "tools/io/sheet.hpp"
 
@@ -15,7 +15,7 @@ struct Square {
     int left, top, side;  // pixels
 };
 
-// The part of a picture, every pixel twice as wide and high.
+// A part of a picture, with every pixel twice as wide and high.
 std::vector<std::uint8_t> enlarged(std::span<const std::uint8_t> picture, int size, Square part) {
     std::vector<std::uint8_t> large;
     for (int y = 0; y < 2 * part.side; ++y)
@@ -25,7 +25,7 @@ std::vector<std::uint8_t> enlarged(std::span<const std::uint8_t> picture, int si
     return large;
 }
 
-// The square of half the picture's size round a sphere's centre, moved into the picture.
+// A square of half the picture's size around a sphere's centre, moved into the picture.
 Square around(const raster::Sphere& sphere, const raster::View& view, int size) {
     const std::int64_t half = size / 2;
     const auto pixel = [&](std::int64_t word) { return half + word * half / view.extent; };
@@ -50,7 +50,8 @@ std::uint8_t brightest(std::span<const std::uint8_t> picture, std::span<const st
 }  // namespace
 
 void write_highlights(const Path& path, FileSet* set) {
-    // The upper left sphere goes up by 0.45, and its shadow over the upper right one's highlight.
+    // The upper left sphere is moved up by 0.45, so that its shadow covers the upper right one's
+    // highlight.
     constexpr std::size_t moved = 0, shown = 1;
     LoadedScene scene = figures_scene();
     scene.spheres[moved].centre.y += 45 * 65536 / 100;
@@ -122,11 +123,11 @@ void write_samplings(const Path& path, const FigureSet& set_of_figures, FileSet*
     write_sheet(path, cells, {.columns = 2}, set);
 }
 
-void write_array_comparison(const Path& path, const FigureSet& figures, FileSet* set) {
+void write_ap120b_comparison(const Path& path, const FigureSet& figures, FileSet* set) {
     const int size = figures.size_px();
     const auto& fixed = figures.figures()[2].picture;
-    const auto& array = figures.array_mask(3);
-    // One pixel is hard to see: each that differs is drawn with its eight neighbours.
+    const auto& array = figures.ap120b_mask(3);
+    // A single pixel is hard to see: each that differs is drawn with its eight neighbours.
     std::vector<std::uint8_t> differ(fixed.size(), 0);
     int count = 0;
     for (int y = 0; y < size; ++y)
