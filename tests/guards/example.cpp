@@ -7,14 +7,14 @@
 
 using namespace umbra78;
 
-alignas(64) static std::byte memory[3 << 20];  // all the memory that a frame takes
+alignas(shadow::frame_alignment) static std::byte memory[3 << 20];  // all that a frame takes
 
 int main() {
     const shadow::FigurePatches patches = shadow::figure_patches();
     const std::array materials{shadow::figure_material};
     const raster::View observer = shadow::figure_view(0);
     const raster::View light = shadow::figure_view(shadow::figure_azimuth_q16);
-    const shadow::Scene scene{patches, materials, observer, light};
+    const shadow::Scene scene{patches, materials, observer, {{light}}};
     const shadow::Settings settings = shadow::figure_settings(6);
 
     // 16 bits a Z word; a machine with more than 16 bits of Z takes hw::Depth32.
