@@ -4,7 +4,7 @@
 //   17 x 17 corners --sampling--> samples with their Z code, handed to a sink
 //
 // In: patches in world words, a view's loaded matrix, materials and light. Out: calls of the sink,
-// and counts. A block that a frame's bounds cannot decide is dropped and counted as `unresolved`.
+// and counts. A block that is too large after all its splits is dropped, counted as `unresolved`.
 // A block whose nearest point is hidden in its whole footprint cannot change the frame and is left
 // out. No allocation: the caller hands in one DrawMemory.
 // Not emulated: the clock (drawing_cost.hpp makes operations of the counts).
@@ -116,10 +116,13 @@ private:
 }  // namespace detail
 
 // Draws patches[order[0]], patches[order[1]], ..., or all in turn if `order` is empty. The sink
-// sees every sample of every block that is not hidden.
+// sees every sample of every block that is not hidden. Traps where `order` is of another length, or
+// where a patch names a material that is not there and the sink shades.
 template <Sink SampleSink>
 DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> order,
                 const DrawSetup& setup, DrawMemory& memory, SampleSink& sink) {
+    fixed::require(order.empty() || order.size() == patches.size(),
+                   "draw: the order is not one of these patches");
     DrawCounts counts;
     detail::BlockWalk walk(setup, memory, SampleSink::shades, counts);
     const auto emit = [&](const Sample& s, const BlockShading* shading) {
@@ -138,6 +141,8 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
     };
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
+        fixed::require(!SampleSink::shades || patch.material < setup.materials.size(),
+                       "draw: a patch names a material that is not there");
         ++counts.patches;
         walk.push_patch(patch);
         ScreenBounds bounds;

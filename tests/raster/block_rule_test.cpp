@@ -118,6 +118,36 @@ TEST(ProjectedBounds, AreTheTexts) {
     EXPECT_GT(far, 100);
 }
 
+// The products that are not made because they could be too large: at each of the limits 2^26 of the
+// reach, 2^28 of the slope, 2^30 and 2^31 of W's slope, and next to them.
+TEST(ProjectedBounds, AreTheTextsWhereProductsGetTooLarge) {
+    const hw::MachineSpec m;
+    constexpr std::int64_t w = 1 << 13;  // so a quotient in raster units is its dividend
+    int huge_ones = 0;
+    for (const std::int64_t v : {std::int64_t{1} << 13, std::int64_t{1} << 26}) {
+        for (const std::int64_t d : {std::int64_t{0}, (std::int64_t{1} << 28) - v,
+                                     std::int64_t{1} << 30, std::int64_t{1} << 31}) {
+            for (std::int64_t dv = -5; dv <= 2; ++dv) {
+                for (std::int64_t dd = d == 0 ? 0 : -9; dd <= (d == 0 ? 0 : 2); ++dd) {
+                    std::array<Component, 4> c{};
+                    c[3].f = {w, w + d + dd, w, w + d + dd};
+                    for (std::size_t k = 0; k < 3; ++k) c[k].f = {0, v + dv, 0, v + dv};
+                    std::array<ExactComponent, 4> e;
+                    for (std::size_t k = 0; k < 4; ++k) e[k] = exact_component(c[k]);
+                    ScreenBounds bounds{};
+                    ExactScreen expected{};
+                    ASSERT_EQ(projected_bounds(c, m, bounds), Visibility::bounded);
+                    ASSERT_EQ(exact_projected(e, m, expected), Visibility::bounded);
+                    for (std::size_t k = 0; k < 3; ++k)
+                        ASSERT_TRUE(equal(expected[k], bounds[k])) << v + dv << ", " << d + dd;
+                    huge_ones += bounds[0].slope_u >= huge || bounds[0].bend_u >= huge ? 1 : 0;
+                }
+            }
+        }
+    }
+    EXPECT_GT(huge_ones, 50);
+}
+
 // Control points that are multiples of 16 have exact corrections, so the quotient of two surfaces
 // is known exactly at every place, and lies within its bounds without any tolerance.
 TEST(ProjectedBounds, HoldForTheExactQuotient) {

@@ -1,6 +1,6 @@
-// Sampling by leaf centres is sample_centres: the same samples in the same order, and as many
-// tested centres, of random blocks, larger and stranger than the block rule allows, and of every
-// block of a frame; and hence the same frame and counts.
+// sample_leaf_centres gives what sample_centres gives: the same samples in the same order, and as
+// many tested centres. They are compared on random blocks, larger and stranger than those that the
+// block rule draws, and on every block of a frame; so frames and counts are the same, too.
 #include "raster/leaf_centres.hpp"
 
 #include "tests/fixed/boundary.hpp"
@@ -76,7 +76,7 @@ constexpr Kind kinds[] = {
     {"far out", 5, 12, true, 1, true},
 };
 
-// Far blocks lie where 16 bits of a pixel's number would tell a pixel of the frame.
+// Far blocks lie where the low 16 bits of a pixel's number are those of a pixel of the frame.
 Corners random_block(Random& random, const Kind& kind, std::int32_t half_px) {
     const auto any = [&](std::int64_t reach) {
         return static_cast<std::int32_t>(random.between(-reach, reach));

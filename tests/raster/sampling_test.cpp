@@ -102,6 +102,18 @@ TEST(TriangleDepth, IsTheExactPlaneWithinAndClampedInTheSlack) {
     EXPECT_GT(outside, cases / 20);
 }
 
+// The first pixel whose centre is at a place or right of it, the last at it or left of it.
+TEST(Pixels, AreThoseWhoseCentresAreNotBeforeOrNotAfterAPlace) {
+    for (const std::int32_t half : {8, 2048}) {
+        EXPECT_EQ(pixel_centre(half, half), 4096) << "the pixel right of the frame's centre";
+        for (std::int32_t at = -3 * 8192; at <= 3 * 8192; ++at) {
+            const std::int32_t first = first_pixel(at, half), last = last_pixel(at, half);
+            ASSERT_TRUE(pixel_centre(first, half) >= at && pixel_centre(first - 1, half) < at);
+            ASSERT_TRUE(pixel_centre(last, half) <= at && pixel_centre(last + 1, half) > at);
+        }
+    }
+}
+
 // Triangles of any size that corners of 31 bits can make, which no 32-bit edge function holds; the
 // widest that one does; and one unit wider. In place and in depth they reach the ends of the words.
 TEST(TriangleDepth, IsExactForTrianglesOfAnySize) {
@@ -141,6 +153,20 @@ TEST(TriangleDepth, IsExactForTrianglesOfAnySize) {
     }
     EXPECT_GT(covered, 10000);
     EXPECT_GT(clamped, 100);
+}
+
+// z = x / 2 on a triangle of eight pixels and on one of a pixel: every second place is a tie.
+TEST(TriangleDepth, RoundsTiesUpAtAnySize) {
+    for (const std::int32_t size : {1 << 16, 1 << 13}) {
+        for (const std::int32_t sign : {1, -1}) {
+            const Corner a{0, 0, 0}, b{size, 0, sign * size / 2}, c{0, size, 0};
+            for (std::int32_t x = 0; x < 200; ++x) {
+                std::int64_t z = 0;
+                ASSERT_TRUE(triangle_depth(a, b, c, x, 0, z));
+                ASSERT_EQ(z, sign > 0 ? (x + 1) / 2 : -(x / 2)) << x << " of " << size;
+            }
+        }
+    }
 }
 
 // The block rule's promise in an orthographic view: no leaf is wider than a pixel, whatever the

@@ -1,4 +1,4 @@
-// What is a sink and what is not; a footprint's hidden test; and what a sink is told.
+// What is a sink and what is not; when a footprint is hidden; and what a sink is given.
 #include "raster/sinks.hpp"
 #include "tests/support/drawing.hpp"
 
@@ -133,6 +133,19 @@ TEST(Footprint, HoldsEverySampleOfItsBlock) {
             }
         }
     }
+}
+
+TEST(Draw, TrapsOnAnOrderOrAMaterialThatIsNotThere) {
+    hw::MachineSpec spec;
+    spec.xy_bits = 4;
+    const Patches patches{plane_patch(umbra78::test::plane({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}))};
+    const View view = umbra78::test::orthographic(0, 0, 2);
+    Drawing<> stage(spec);
+    const std::array<std::uint32_t, 2> order{0, 0};
+    EXPECT_DEATH(stage.draw(patches, view, Sampling::centre, nullptr, order), "");
+    stage.materials.clear();
+    EXPECT_DEATH(stage.draw(patches, view, Sampling::centre, &view), "");
+    EXPECT_GT(stage.draw(patches, view, Sampling::centre).samples, 0u) << "no material is needed";
 }
 
 Bounds between(std::int64_t min, std::int64_t max) { return {min, max, 0, 0, 0, 0}; }

@@ -17,7 +17,7 @@ using fixed::test::Random;
 using umbra78::test::Patches;
 using umbra78::test::Drawing;
 
-// How far a sample may stand from its pixel's centre, in pixels. Coefficients and object words of
+// How far a sample may lie from its pixel's centre, in pixels. Coefficients and object words of
 // 16 bits move a surface by up to 0.06. Centre sampling reaches past its triangle by the slack,
 // 1/64 pixel in x and in y; a leaf's centre lies anywhere in its pixel.
 constexpr double words = 0.06;
