@@ -11,8 +11,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -29,13 +31,17 @@ struct Options {
     bool quick = false, automatic = false, no_host_times = false, json = false;
 };
 
+// "i/n" with 1 <= i <= n. A number that an int does not hold is refused.
 Shard read_shard(const std::string& text) {
     Shard shard{0, 0};
-    int length = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &shard.i, &shard.n, &length) != 2 ||
-        length != static_cast<int>(text.size()) || shard.i < 1 || shard.i > shard.n)
-        throw std::runtime_error(fmt::format("--shard {}: it is no part of a whole; write i/n as "
-                                             "in 1/3, 2/3, 3/3", text));
+    const char* const end = text.data() + text.size();
+    const auto i = std::from_chars(text.data(), end, shard.i);
+    const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
+    const auto n = slash ? std::from_chars(i.ptr + 1, end, shard.n) : i;
+    if (!slash || n.ec != std::errc() || n.ptr != end || shard.i < 1 || shard.i > shard.n)
+        throw std::runtime_error(fmt::format("--shard {}: it is not a part of a whole; write i/n "
+                                             "as in 1/3, 2/3, 3/3, n up to {}",
+                                             text, std::numeric_limits<int>::max()));
     return shard;
 }
 

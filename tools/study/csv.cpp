@@ -1,6 +1,5 @@
 #include "tools/study/csv.hpp"
 
-#include "tools/study/row_text.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +42,8 @@ std::optional<std::vector<std::string>> next_record(std::istream& in, const Path
             quoted = true;
         } else if (letter == ',') {
             cells.emplace_back();
+        } else if (letter == '\r' && in.peek() == '\n') {
+            continue;  // of a line end; inside quotes it belongs to the cell
         } else if (letter == '\n') {
             return cells;
         } else {

@@ -1,21 +1,25 @@
-// A study's CSV (RFC 4180, but lines end in a newline alone): a head, then one row a case.
+// A study's CSV: a line of column names, then a row a case (RFC 4180; lines end in a newline).
+//
+// Lines that end in a carriage return and a newline, as Python's csv writes them, are read, too.
 #pragma once
 
 #include "tools/io/files.hpp"
-#include "tools/study/study.hpp"
+#include "tools/study/row.hpp"
+
+#include <optional>
 
 namespace umbra78::tools::study {
 
-std::string to_csv(std::span<const Row>);  // of aligned rows
+std::string to_csv(std::span<const Row>);  // of aligned() rows
 
-// Cells as text; all rows have as many as the head.
+// Cells as text. Every row has as many as there are columns.
 struct Csv {
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
 
-    // The row's cell; nothing where there is no such column.
+    // Nothing if there is no such column.
     std::optional<std::string> at(std::size_t row, std::string_view column) const;
 };
-Csv read_csv(const Path&);  // throws std::runtime_error with the line
+Csv read_csv(const Path&);  // throws std::runtime_error, which names the line
 
 }  // namespace umbra78::tools::study

@@ -1,14 +1,25 @@
-// The cases of a grid, and the scene of a case.
-#include "tools/study/study.hpp"
-
-#include "tools/study/paper_scene.hpp"
+#include "tools/study/grid.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace umbra78::tools::study {
+namespace {
+
+// The settings and extra columns of a case as one text, for a set of cases. A zero byte ends each
+// part: no part holds one.
+std::string key_of(const Case& c) {
+    std::string key;
+    for (const std::string& set : c.set) (key += set) += '\0';
+    key += '\0';
+    for (const auto& [column, value] : c.extra) (((key += column) += '\0') += value) += '\0';
+    return key;
+}
+
+}  // namespace
 
 std::vector<Case> grid(const Request& request, std::vector<GridKey> axes) {
     for (const GridKey& varied : request.vary) {
@@ -23,6 +34,7 @@ std::vector<Case> grid(const Request& request, std::vector<GridKey> axes) {
     std::vector<Case> cases(1);
     for (const auto& [key, values] : axes) {
         std::vector<Case> more;
+        more.reserve(cases.size() * values.size());
         for (const Case& so_far : cases)
             for (const std::string& value : values) {
                 more.push_back(so_far);
@@ -34,6 +46,14 @@ std::vector<Case> grid(const Request& request, std::vector<GridKey> axes) {
     return cases;
 }
 
+std::vector<Case> joined(std::vector<Case> first, const std::vector<Case>& more) {
+    std::unordered_set<std::string> there;
+    for (const Case& c : first) there.insert(key_of(c));
+    for (const Case& c : more)
+        if (there.insert(key_of(c)).second) first.push_back(c);
+    return first;
+}
+
 Request for_sweep(Request request, std::span<const std::string_view> own,
                   std::span<const std::string_view> keys) {
     const auto holds = [](std::span<const std::string_view> list, std::string_view key) {
@@ -43,22 +63,6 @@ Request for_sweep(Request request, std::span<const std::string_view> own,
         return axis.second.size() > 1 && holds(own, axis.first) && !holds(keys, axis.first);
     });
     return request;
-}
-
-std::vector<Case> joined(std::vector<Case> first, const std::vector<Case>& more) {
-    for (const Case& c : more) {
-        const auto is_it = [&](const Case& there) {
-            return there.set == c.set && there.extra == c.extra;
-        };
-        if (std::none_of(first.begin(), first.end(), is_it)) first.push_back(c);
-    }
-    return first;
-}
-
-LoadedScene scene_of(const Request& request, const Case& c) {
-    if (!request.scene_text.empty())
-        return parse_scene(request.scene_text, request.scene_file, c.set);
-    return parse_scene(paper_scene_text, "figures.toml", c.set);
 }
 
 }  // namespace umbra78::tools::study

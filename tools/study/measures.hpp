@@ -1,4 +1,4 @@
-// What studies measure of a drawn frame, and the units they give it in.
+// What several studies measure of a drawn frame, and the units in which they report it.
 #pragma once
 
 #include "tools/io/buffers.hpp"
@@ -10,27 +10,35 @@
 
 namespace umbra78::tools::study {
 
-// The frame as far as its mask, nothing filtered.
+// Draws the frame up to its mask; nothing is filtered.
 void draw_mask(RenderJob&);
 
-// Observer's Z less truth's, in quanta, where both see the same surface and so do the four
-// neighbours in truth: at a silhouette another surface may be meant.
+// The observer's Z minus truth's, in quanta. Counted are pixels that both see and whose surface in
+// truth is that of all four neighbours: at a silhouette the machine may mean another surface.
 struct DepthError {
     std::int64_t pixels = 0;
     double min = 0, mean = 0, max = 0, rms = 0;
 };
 DepthError depth_error(const LoadedScene&, const Truth&, const Buffer& observer_z);
 
-// The detachment gap: how far behind its caster, in world units along the light's ray, a shadow
-// begins. It is the distance that best parts the pixels that are lit falsely (nearer) from those
-// that are in shadow rightly; an edge's pixels, lit falsely at any distance, do not move it. 0
-// where no distance parts them.
+// The detachment gap: the distance from its caster at which a shadow begins, in world units along
+// the light's ray. It is the distance that best separates the shadowed pixels that are drawn lit
+// (nearer to their caster) from those drawn in shadow (farther). Pixels at a shadow's edge, which
+// are drawn lit at any distance, do not move it. 0 if no distance separates them.
 double detachment_gap(const Traced&, const MachineMask&);
 
-// The columns false_shadow, false_light, both with _outside the band, and isolated_pixels.
+// Sets false_shadow, false_light, the same two with _outside (the edge band), isolated_pixels.
 void set_rates(Row&, const ShadowReport&);
+inline constexpr ColumnMeaning rate_columns[] = {
+    {"false_shadow", "share of the pixels lit in truth that the mask shadows, 0 .. 1"},
+    {"false_light", "share of the pixels shadowed in truth that the mask lights, 0 .. 1"},
+    {"false_shadow_outside", "the same without the edge band: pixels within a light texel, mapped "
+                             "back to the observer, of a shadow's edge in truth"},
+    {"false_light_outside", "false_light without the edge band"},
+    {"isolated_pixels", "drawn pixels none of whose four neighbours has the same answer"},
+};
 
-// Quanta and texels of light depth and width a world unit, at the light's target.
+// How many quanta of the light's Z and how many of its texels a world unit is, at its target.
 struct LightUnits {
     double quanta_per_world, texels_per_world;
     double world(double quanta) const { return quanta / quanta_per_world; }
@@ -38,7 +46,7 @@ struct LightUnits {
 };
 LightUnits light_units(const LoadedScene&);
 
-// Sets COLUMN_quanta, COLUMN_texels, COLUMN_world; none of them for NaN.
+// Sets COLUMN_quanta, COLUMN_texels and COLUMN_world; NaN makes empty cells.
 void set_in_three_units(Row&, const std::string& column, const LightUnits&, double quanta);
 
 }  // namespace umbra78::tools::study

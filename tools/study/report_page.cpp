@@ -9,6 +9,8 @@ namespace {
 
 constexpr const char* style =
     "body{font:16px/1.5 sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#222}"
+    "section{background:#f2f6fa;border-left:4px solid #0072b2;padding:.2em 1.2em}"
+    "h2{font-size:1.25em;margin:1.5em 0 .5em}section h2{margin-top:.5em}"
     "figure{margin:2em 0}img{max-width:100%;image-rendering:auto}figcaption,caption{color:#444;"
     "text-align:left;margin:.4em 0}table{border-collapse:collapse;font-size:14px;margin:2em 0}"
     "td,th{padding:.2em .7em;border-bottom:1px solid #ddd;text-align:left}";
@@ -60,6 +62,12 @@ void ReportPage::exhibit(const std::string& file, std::string_view type, std::st
                          escaped(file), type, base64(bytes), escaped(caption));
 }
 
+void ReportPage::answer(std::string_view text) { answers_.emplace_back(text); }
+
+void ReportPage::heading(std::string_view text) {
+    body_ += fmt::format("<h2>{}</h2>\n", escaped(text));
+}
+
 void ReportPage::paragraph(std::string_view text) {
     paragraphs_.emplace_back(text);
     body_ += fmt::format("<p>{}</p>\n", escaped(text));
@@ -91,8 +99,7 @@ void ReportPage::picture(std::string_view name, int width, int height,
             {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, caption);
 }
 
-void ReportPage::table(const std::vector<std::vector<std::string>>& rows,
-                       std::string_view caption) {
+void ReportPage::table(const TableCells& rows, std::string_view caption) {
     body_ += fmt::format("<table><caption>{}</caption>\n", escaped(caption));
     const char* cell = "th";
     for (const std::vector<std::string>& row : rows) {
@@ -105,11 +112,19 @@ void ReportPage::table(const std::vector<std::vector<std::string>>& rows,
     body_ += "</table>\n";
 }
 
-std::string ReportPage::page(const std::string& title, const std::string& lead) const {
+std::vector<std::string> ReportPage::texts() const {
+    std::vector<std::string> all = answers_;
+    all.insert(all.end(), paragraphs_.begin(), paragraphs_.end());
+    return all;
+}
+
+std::string ReportPage::page(const std::string& title) const {
+    std::string answers;
+    for (const std::string& text : answers_) answers += fmt::format("<p>{}</p>\n", escaped(text));
     return fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
                        "<title>{0}</title><style>{1}</style></head>\n<body><h1>{0}</h1>\n"
-                       "<p>{2}</p>\n{3}</body></html>\n",
-                       escaped(title), style, escaped(lead), body_);
+                       "<section><h2>The answer</h2>\n{2}</section>\n{3}</body></html>\n",
+                       escaped(title), style, answers, body_);
 }
 
 }  // namespace umbra78::tools::study

@@ -1,4 +1,4 @@
-#include "tools/study/row_text.hpp"
+#include "tools/study/row.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@
 namespace umbra78::tools::study {
 namespace {
 
-// What a file can hold: JSON and CSV know neither NaN nor infinity.
+// What CSV and JSON can hold: neither NaN nor infinity.
 Value storable(Value value) {
     const double* real = std::get_if<double>(&value);
     if (real == nullptr || std::isfinite(*real)) return value;
@@ -31,9 +31,16 @@ void Row::set(std::string_view column, Value value) {
     }
 }
 
-const Value& Row::at(std::string_view column) const {
+const Value* Row::find(std::string_view column) const {
     for (const auto& [name, value] : cells_)
-        if (name == column) return value;
+        if (name == column) return &value;
+    return nullptr;
+}
+
+bool Row::has(std::string_view column) const { return find(column) != nullptr; }
+
+const Value& Row::at(std::string_view column) const {
+    if (const Value* value = find(column)) return *value;
     throw std::out_of_range(fmt::format("a study's row has no column '{}'", column));
 }
 
@@ -85,14 +92,14 @@ Row row_of(const nlohmann::ordered_json& json) {
 }
 
 std::vector<Row> aligned(std::span<const Row> rows) {
-    // A column that a row has not had before comes behind the one that it follows there.
+    // A column that no earlier row has had is inserted after the one that it follows in its row.
     std::vector<std::string> columns;
     for (const Row& row : rows) {
-        std::ptrdiff_t behind = 0;
+        std::ptrdiff_t next = 0;
         for (const auto& [column, value] : row.cells()) {
             auto found = std::find(columns.begin(), columns.end(), column);
-            if (found == columns.end()) found = columns.insert(columns.begin() + behind, column);
-            behind = found - columns.begin() + 1;
+            if (found == columns.end()) found = columns.insert(columns.begin() + next, column);
+            next = found - columns.begin() + 1;
         }
     }
     std::vector<Row> result;

@@ -1,7 +1,6 @@
 #include "tools/study/row_log.hpp"
 
 #include "tools/io/text_formats.hpp"
-#include "tools/study/row_text.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,10 +1,11 @@
-// Rows on their way: JSON lines, a head and then a row a line in the order they were finished.
+// The rows of an unfinished study or of a shard: JSON lines, a head and then a row a line, in the
+// order in which the cases finished.
 //
 //   {"study":"error-time","inputs_hash":"fnv1a64:...","cases":84,"shard":[1,3],"inputs":{...}}
 //   {"case":17,"row":{"case":17,"name":"lookup=nearest ...",...}}
 //
-// A row is one write of one line, so a run that is killed loses no more than the line at hand; a
-// torn last line is left out when the file is read. Partial runs and shards are such files.
+// A row is one write of one line, so a run that is killed loses at most the line it was writing; a
+// torn last line is left out when the file is read.
 #pragma once
 
 #include "tools/io/files.hpp"
@@ -14,7 +15,7 @@
 
 namespace umbra78::tools::study {
 
-// Every n-th case, from the i-th on; 1/1 is all.
+// Every n-th case, beginning with the i-th: 1 <= i <= n. 1/1 is all cases.
 struct Shard {
     int i = 1, n = 1;
     bool holds(std::size_t index) const {
@@ -34,10 +35,10 @@ struct RowLog {
 std::string head_line(const Asked&, Shard);
 std::string row_line(std::size_t index, const Row&);
 RowLog read_row_log(const Path&);  // throws std::runtime_error
-// Cuts a line that a kill has torn, so that what is appended begins a line.
+// Removes a last line that a kill has torn, so that what is appended begins a line.
 void cut_torn_line(const Path&);
 
-// Appends rows to a log and begins it where there is none. Throws std::runtime_error.
+// Appends rows to a log, and begins the log if there is none. Throws std::runtime_error.
 class RowAppender {
 public:
     RowAppender(const Path&, const Asked&, Shard);

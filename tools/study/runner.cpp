@@ -1,8 +1,10 @@
 #include "tools/study/runner.hpp"
 
 #include "tools/io/interruptible.hpp"
+#include "tools/scene/settings_text.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -18,38 +21,67 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// On a terminal: cases done, and the time left if the rest take as long as those before.
+// The case's overrides that are not settings: a profile, observer.KEY, light.KEY.
+void set_overrides(Row& row, const Case& c) {
+    for (const std::string& set : c.set) {
+        const std::size_t equals = set.find('=');
+        const std::string key = set.substr(0, equals);
+        if (shadow::find_setting(key) == nullptr) row.set(key, set.substr(equals + 1));
+    }
+}
+
+// Every setting; empty cells for a case that draws no frame. A whole number is stored as one.
+void set_settings(Row& row, const std::optional<LoadedScene>& scene) {
+    const Row settings = row_of(settings_json(scene ? scene->settings : shadow::Settings{}));
+    for (const auto& [key, value] : settings.cells()) {
+        const auto* real = std::get_if<double>(&value);
+        const bool whole = real != nullptr && *real == static_cast<double>(std::int64_t(*real));
+        row.set(key, !scene ? Value() : whole ? Value(std::int64_t(*real)) : value);
+    }
+}
+
+// The number of cases done, and the time left if the remaining cases take as long as those before
+// them: on a terminal after each case, elsewhere, as in a batch system's log, a line a minute.
 class Progress {
 public:
-    explicit Progress(std::size_t cases) : cases_(cases), shown_(isatty(STDERR_FILENO) != 0) {}
+    explicit Progress(std::size_t cases) : cases_(cases), terminal_(isatty(STDERR_FILENO) != 0) {}
     ~Progress() {
-        if (shown_) fmt::print(stderr, "\r\033[K");
+        if (terminal_) fmt::print(stderr, "\r\033[K");
     }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void done(std::size_t finished) const {
-        if (!shown_) return;
-        const std::chrono::duration<double> s = Clock::now() - start_;
+    void done(std::size_t finished) {
+        const Clock::time_point now = Clock::now();
+        if (!terminal_ && now - printed_ < std::chrono::minutes(1)) return;
+        printed_ = now;
+        const std::chrono::duration<double> s = now - start_;
         const double left_s = s.count() / static_cast<double>(finished) *
                               static_cast<double>(cases_ - finished);
-        fmt::print(stderr, "\r\033[Kcase {} of {}, {:.0f} s left", finished, cases_, left_s);
+        const std::string text = fmt::format("case {} of {}, {:.0f} s left", finished, cases_,
+                                             left_s);
+        if (terminal_) {
+            fmt::print(stderr, "\r\033[K{}", text);
+        } else {
+            fmt::print(stderr, "umbra78: {}\n", text);
+        }
     }
 
 private:
     std::size_t cases_;
-    bool shown_;
-    Clock::time_point start_ = Clock::now();
+    bool terminal_;
+    Clock::time_point start_ = Clock::now(), printed_ = start_;
 };
 
-// The cases still to run, and where their rows go; shared by the threads.
+// The cases still to run, and where their rows go. The threads share it.
 class Work {
 public:
     Work(const Asked& asked, std::vector<std::size_t> left, RowAppender& log,
          std::map<std::size_t, Row>& rows)
         : asked_(asked), left_(std::move(left)), log_(log), rows_(rows), progress_(left_.size()) {}
 
-    // A thread's part: cases until none is left, or somebody failed or asked to stop.
+    // What each thread does: takes cases until none is left, a write fails or an interrupt is asked
+    // for.
     void run() {
         const auto go_on = [&] { return !Interruptible::asked() && !failed_; };
         for (std::size_t k = next_++; k < left_.size() && go_on(); k = next_++) {
@@ -82,7 +114,7 @@ private:
     std::exception_ptr error_;
 };
 
-// Rows of an earlier run of the same command.
+// The rows of an earlier run of the same command.
 std::map<std::size_t, Row> rows_there(const Asked& asked, Shard shard, const Path& log) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(log, ignored)) return {};
@@ -97,6 +129,27 @@ std::map<std::size_t, Row> rows_there(const Asked& asked, Shard shard, const Pat
 }
 
 }  // namespace
+
+Row run_case(const Asked& asked, std::size_t index, const Case& c) {
+    Row row;
+    row.set("case", static_cast<std::int64_t>(index));
+    row.set("name", c.name);
+    set_overrides(row, c);
+    for (const auto& [column, value] : c.extra) row.set(column, value);
+    try {
+        const std::optional<LoadedScene> scene = asked.study->scene(asked.request, c);
+        set_settings(row, scene);
+        row.set("status", std::string("ok"));
+        const Row figures = asked.study->run(asked.request, c, scene ? &*scene : nullptr);
+        for (const auto& [column, value] : figures.cells())
+            if (asked.request.host_times || !column.ends_with("_host_ms")) row.set(column, value);
+    } catch (const std::bad_alloc&) {
+        row.set("status", std::string("not enough memory"));
+    } catch (const std::exception& error) {
+        row.set("status", std::string(error.what()));
+    }
+    return row;
+}
 
 std::map<std::size_t, Row> run_cases(const Asked& asked, const RunOptions& options,
                                      const Path& log) {

@@ -1,9 +1,9 @@
 #include "tools/study/study_files.hpp"
 
 #include "tools/render/report.hpp"
+#include "tools/study/column_meanings.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/report_page.hpp"
-#include "tools/study/row_text.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ void write_text(const Path& path, std::string_view text, FileSet& files) {
     write_file(path, std::as_bytes(std::span(text)), &files);
 }
 
-// What host times depend on. No host names.
+// What host times depend on. The host's name is not recorded.
 ordered_json environment() {
     std::string processor = "unknown", line;
     for (std::ifstream info("/proc/cpuinfo"); std::getline(info, line);)
@@ -34,7 +34,7 @@ ordered_json environment() {
             {"cores", std::thread::hardware_concurrency()}};
 }
 
-// Columns that make a case: with them a row of the CSV can be run again.
+// The columns that make a case. With them a row of the CSV can be run again.
 ordered_json case_columns(const std::vector<Case>& cases) {
     std::vector<std::string> varied, extra;
     const auto add = [](std::vector<std::string>& to, const std::string& name) {
@@ -55,7 +55,7 @@ ordered_json summary_of(const Asked& asked, const StudyDone& done, const ReportP
                       {"cases", done.rows},
                       {"failed_cases", done.failed},
                       {"answers", answers},
-                      {"paragraphs", page.paragraphs()},
+                      {"paragraphs", page.texts()},
                       {"exhibits", ordered_json::array()},
                       {"case_columns", case_columns(asked.cases)},
                       {"inputs", asked.inputs}};
@@ -77,6 +77,21 @@ void count_failures(StudyDone& done, std::span<const Row> rows) {
                                              done.first_failure));
 }
 
+// What was run and what its columns mean, at the page's end.
+void describe_run(const Asked& asked, std::span<const Row> rows, Report& page) {
+    const Study& study = *asked.study;
+    page.heading("The run");
+    std::string text = fmt::format("{}. ", study.meaning());
+    if (study.takes().scene) text += fmt::format("The scene is {}. ", asked.request.scene_file);
+    text += fmt::format("There are {0} cases; each is a row of {1}.csv, which holds every figure "
+                        "with all its digits. umbra78 study verify {1}.csv draws rows again.",
+                        rows.size(), study.name());
+    page.paragraph(text);
+    page.table(column_table(rows.front(), study),
+               fmt::format("The columns of {}.csv, without the settings of the frame, which "
+                           "umbra78 settings describes.", study.name()));
+}
+
 // Of all rows, in the order of the cases.
 StudyDone write_files(const Asked& asked, const std::map<std::size_t, Row>& by_case,
                       const Path& folder) {
@@ -95,13 +110,10 @@ StudyDone write_files(const Asked& asked, const std::map<std::size_t, Row>& by_c
     asked.study->report(asked.request, rows, page);
     done.summary = summary_of(asked, done, page, page.summary());
     write_text(folder / (name + ".json"), tools::print(done.summary), files);
-    const std::string lead = fmt::format(
-        "{}. {}{} cases, each a row of {}.csv.", asked.study->meaning(),
-        asked.study->takes().scene ? fmt::format("Scene: {}; ", asked.request.scene_file) : "",
-        rows.size(), name);
-    write_text(folder / "index.html", page.page("umbra78 study " + name, lead), files);
+    done.paragraphs = page.texts();
+    describe_run(asked, rows, page);
+    write_text(folder / "index.html", page.page("umbra78 study " + name), files);
     files.commit();
-    done.paragraphs = page.paragraphs();
     done.plots_missing = page.plots_missing();
     done.files = {(folder / (name + ".csv")).string(), (folder / (name + ".json")).string(),
                   (folder / "index.html").string()};

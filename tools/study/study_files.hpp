@@ -1,5 +1,5 @@
-// A study run, and what it leaves: NAME.csv, NAME.json, plots, pictures, index.html; or, of a
-// shard, NAME.part-i-of-n.jsonl alone. All files appear together.
+// Runs a study and writes its files: NAME.csv, NAME.json, plots, pictures and index.html; for a
+// shard only NAME.part-i-of-n.jsonl. All files appear together.
 #pragma once
 
 #include "tools/study/runner.hpp"
@@ -17,11 +17,11 @@ struct StudyDone {
     bool plots_missing = false;           // there is no gnuplot
 };
 
-// `as_part`: of a shard, even if it is the only one. Throws std::runtime_error.
+// `as_part`: write a shard's file, even if the shard is the only one. Throws std::runtime_error.
 StudyDone run_study(const Asked&, const RunOptions&, const Path& folder, bool as_part);
 
-// The parts of a sharded run, which become the files of a whole one. Throws std::runtime_error if
-// one is missing, twice there, unfinished, or of other inputs.
+// Makes the files of a study from the parts of a sharded run. Throws std::runtime_error if a part
+// is missing, given twice, unfinished, or of other inputs.
 StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, Studies);
 
 }  // namespace umbra78::tools::study

@@ -73,12 +73,21 @@ std::string truth_key(const LoadedScene& scene) {
     return key + key_of(scene.observer) + key_of(scene.light);
 }
 
+std::size_t bytes_of(const Traced& traced) {
+    const auto of = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
+    const Truth& t = traced.truth.truth;
+    return sizeof(Traced) + of(t.visible) + of(t.lit) + of(t.surface) + of(t.depth) +
+           of(t.position) + of(t.normal) + of(t.n_dot_l) + of(t.behind) +
+           of(traced.truth.unlit_side) + of(traced.band) + of(traced.slope);
+}
+
 std::shared_ptr<const Traced> TruthCache::of(const LoadedScene& scene) const {
     std::shared_ptr<Slot> slot;
     {
         const std::lock_guard lock(mutex_);
         std::shared_ptr<Slot>& there = slots_[truth_key(scene)];
         if (!there) there = std::make_shared<Slot>();
+        there->last_asked = ++questions_;
         slot = there;
     }
     std::call_once(slot->once, [&] {
@@ -88,8 +97,31 @@ std::shared_ptr<const Traced> TruthCache::of(const LoadedScene& scene) const {
         traced.band = light_texel_band(traced.truth);
         traced.slope = slopes(traced.truth);
         slot->traced = std::make_shared<const Traced>(std::move(traced));
+        count(slot);
     });
     return slot->traced;
+}
+
+// Adds a new truth's bytes, and drops others until the budget is kept.
+void TruthCache::count(const std::shared_ptr<Slot>& slot) const {
+    const std::lock_guard lock(mutex_);
+    slot->bytes = bytes_of(*slot->traced);
+    bytes_ += slot->bytes;
+    while (bytes_ > budget_bytes_) {
+        auto oldest = slots_.end();
+        for (auto at = slots_.begin(); at != slots_.end(); ++at)
+            if (at->second != slot && at->second->bytes > 0 &&
+                (oldest == slots_.end() || at->second->last_asked < oldest->second->last_asked))
+                oldest = at;
+        if (oldest == slots_.end()) return;  // the new one alone is over the budget
+        bytes_ -= oldest->second->bytes;
+        slots_.erase(oldest);
+    }
+}
+
+std::size_t TruthCache::bytes() const {
+    const std::lock_guard lock(mutex_);
+    return bytes_;
 }
 
 std::shared_ptr<const Traced> TruthCache::needed(const LoadedScene& scene) const {

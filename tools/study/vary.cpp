@@ -1,11 +1,12 @@
 #include "tools/study/vary.hpp"
 
+#include "fixed/decimal.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <optional>
+#include <unordered_set>
 
 namespace umbra78::tools::study {
 namespace {
@@ -18,38 +19,23 @@ constexpr std::int64_t max_values = 100'000;
                                  "or key=value,value as in lookup=nearest,bilinear", text, wrong));
 }
 
-struct Decimal {
-    std::int64_t digits = 0;
-    int decimals = 0;
-};
-
-std::optional<Decimal> read_decimal(std::string_view text) {
-    Decimal read;
-    const bool negative = text.starts_with('-');
-    if (negative) text.remove_prefix(1);
-    bool behind_point = false, any = false;
-    for (const char letter : text) {
-        if (letter == '.' && !behind_point) {
-            behind_point = true;
-            continue;
-        }
-        if (letter < '0' || letter > '9') return {};
-        if (read.digits > 1'000'000'000'000 || read.decimals == max_decimals) return {};
-        read.digits = read.digits * 10 + (letter - '0');
-        read.decimals += behind_point;
-        any = true;
-    }
-    if (!any) return {};
-    if (negative) read.digits = -read.digits;
-    return read;
+// How many digits stand after the point.
+int decimals_of(std::string_view text) {
+    const std::size_t point = text.find('.');
+    if (point == std::string_view::npos) return 0;
+    return static_cast<int>(std::count_if(text.begin() + static_cast<std::ptrdiff_t>(point) + 1,
+                                          text.end(), [](char c) { return c != '_'; }));
 }
 
-// In units of 10^-decimals; nothing where that is too large a number.
-std::optional<std::int64_t> scaled(const Decimal& d, int decimals) {
-    std::int64_t word = d.digits;
-    for (int k = d.decimals; k < decimals; ++k)
-        if (__builtin_mul_overflow(word, 10, &word)) return {};
-    return word;
+// The number in units of 10^-decimals, exactly: with as many decimals it is a whole number.
+std::int64_t scaled(const std::string& text, const std::string& number, int decimals) {
+    constexpr int bits = 62;  // the difference of two such words fits 63
+    const fixed::DecimalResult read =
+        fixed::parse_decimal(fmt::format("{}e{}", number, decimals), 0, bits);
+    if (read.status == fixed::DecimalStatus::out_of_range) fail(text, "the numbers are too long");
+    if (read.status != fixed::DecimalStatus::ok)
+        fail(text, fmt::format("'{}' is not a number", number));
+    return read.value;
 }
 
 std::string print(std::int64_t word, int decimals) {
@@ -62,7 +48,7 @@ std::string print(std::int64_t word, int decimals) {
     return (word < 0 ? "-" : "") + digits;
 }
 
-// Cut at `mark`, but not between brackets.
+// The pieces of the text between the marks. A mark between brackets does not count.
 std::vector<std::string> cut(std::string_view text, char mark) {
     std::vector<std::string> pieces(1);
     int depth = 0;
@@ -79,24 +65,19 @@ std::vector<std::string> cut(std::string_view text, char mark) {
 
 std::vector<std::string> range(const std::string& text, const std::vector<std::string>& ends) {
     if (ends.size() != 3) fail(text, "a range has a first value, a last one and a step");
-    std::array<Decimal, 3> read;
     int decimals = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto number = read_decimal(ends[k]);
-        if (!number) fail(text, fmt::format("'{}' is no number", ends[k]));
-        read[k] = *number;
-        decimals = std::max(decimals, number->decimals);
-    }
-    const auto first = scaled(read[0], decimals), last = scaled(read[1], decimals),
-               step = scaled(read[2], decimals);
-    if (!first || !last || !step) fail(text, "the numbers are too long");
-    if (*step == 0 || (*last - *first) / *step < 0 || ((*last < *first) != (*step < 0) &&
-                                                       *last != *first))
+    for (const std::string& end : ends) decimals = std::max(decimals, decimals_of(end));
+    if (decimals > max_decimals)
+        fail(text, fmt::format("the numbers have more than {} decimals", max_decimals));
+    const std::int64_t first = scaled(text, ends[0], decimals),
+                       last = scaled(text, ends[1], decimals),
+                       step = scaled(text, ends[2], decimals);
+    if (step == 0 || (last != first && (last < first) != (step < 0)))
         fail(text, "the step does not lead from the first value to the last");
-    const std::int64_t steps = (*last - *first) / *step;
+    const std::int64_t steps = (last - first) / step;
     if (steps >= max_values) fail(text, fmt::format("{} values are too many", steps + 1));
     std::vector<std::string> values;
-    for (std::int64_t k = 0; k <= steps; ++k) values.push_back(print(*first + k * *step, decimals));
+    for (std::int64_t k = 0; k <= steps; ++k) values.push_back(print(first + k * step, decimals));
     return values;
 }
 
@@ -108,12 +89,10 @@ GridKey parse_vary(const std::string& text) {
     const std::string key = text.substr(0, equals), rest = text.substr(equals + 1);
     if (const auto ends = cut(rest, ':'); ends.size() > 1) return {key, range(text, ends)};
     GridKey axis{key, cut(rest, ',')};
-    auto& values = axis.second;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        if (values[k].empty()) fail(text, "a value is missing");
-        if (std::find(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k),
-                      values[k]) != values.begin() + static_cast<std::ptrdiff_t>(k))
-            fail(text, fmt::format("'{}' is there twice", values[k]));
+    std::unordered_set<std::string> seen;
+    for (const std::string& value : axis.second) {
+        if (value.empty()) fail(text, "a value is missing");
+        if (!seen.insert(value).second) fail(text, fmt::format("'{}' is given twice", value));
     }
     return axis;
 }

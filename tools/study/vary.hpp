@@ -1,16 +1,18 @@
-// --vary: the values a key takes, "key=a:b:step" or "key=v1,v2,...".
+// --vary: the values a key takes, "key=first:last:step" or "key=value,value,...".
 #pragma once
 
-#include "tools/study/study.hpp"
+#include "tools/study/request.hpp"
 
 namespace umbra78::tools::study {
 
-// A range is exact in decimals and holds both ends: "bias=0:1:0.25" is 0, 0.25, 0.5, 0.75, 1.
-// Commas between brackets belong to the value. Throws SceneError, one line with the remedy.
+// A range is computed in decimal arithmetic, exactly, and holds both ends: "bias=0:1:0.25" is 0,
+// 0.25, 0.5, 0.75, 1. Its numbers have up to 12 decimals and no exponent; it has up to 100 000
+// values. In a list commas between brackets belong to the value: "light.target=[0,0,0],[0,1,0]".
+// Throws SceneError, one line with the remedy.
 GridKey parse_vary(const std::string& text);
 
-// That the scene takes each value, beside the first values of the other keys: a perspective view
-// needs its distance. Throws SceneError, one line.
+// Checks that the scene takes each value, with the first values of the other keys: a perspective
+// view needs its distance. Throws SceneError, one line.
 void check_vary(const Request&);
 
 }  // namespace umbra78::tools::study

@@ -2,7 +2,6 @@
 
 #include "tools/io/text_formats.hpp"
 #include "tools/study/csv.hpp"
-#include "tools/study/row_text.hpp"
 #include "tools/study/runner.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +29,7 @@ ordered_json read_summary(const Path& path) {
         json.at("inputs");
         return json;
     } catch (const nlohmann::json::exception&) {
-        throw std::runtime_error(fmt::format("{}: it is no summary of a study; keep the one that "
+        throw std::runtime_error(fmt::format("{}: it is not a summary of a study; keep the one that "
                                              "umbra78 study wrote", path.string()));
     }
 }
@@ -48,7 +47,8 @@ Case case_of(const Csv& csv, std::size_t row, const ordered_json& columns) {
     return c;
 }
 
-// All but host times, hashes first: where they agree, the rest is arithmetic on the same pixels.
+// All columns except host times, hashes first: if they agree, the rest is arithmetic on the same
+// pixels.
 std::vector<std::string> compared_columns(const Csv& csv) {
     std::vector<std::string> columns;
     for (const std::string& column : csv.columns)

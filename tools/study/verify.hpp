@@ -1,4 +1,4 @@
-// Renders rows of a study's CSV again, by their settings, and compares every figure but host
+// Renders rows of a study's CSV again, by their settings, and compares every figure except host
 // times.
 #pragma once
 
@@ -15,8 +15,8 @@ struct Verified {
     std::vector<std::string> differences;  // a line each
 };
 
-// `sample` rows by a fixed seed, or all of them if there are no more. NAME.json must lie beside
-// the CSV: the scene is in it. Throws std::runtime_error.
+// `sample` rows, drawn with a fixed seed, or all rows if there are fewer. NAME.json must be beside
+// the CSV, because it holds the scene. Throws std::runtime_error.
 Verified verify(const Path& csv, std::size_t sample, Studies);
 
 }  // namespace umbra78::tools::study

@@ -82,8 +82,8 @@ TEST(Traced, KnowsAPlanesSlopeInTheLightsSpace) {
     }
 }
 
-// On a plane the bound is the whole truth: at it no pixel is in false shadow, and the least bias
-// that clears 99.9 % of the pixels is nearly as much.
+// On a plane the bound is exact: with a bias of the bound no pixel is in false shadow, and the least
+// bias that clears 99.9 % of the pixels is nearly as large.
 TEST(LeastBias, OfAPlaneIsItsBound) {
     const Request request = plane_lit_aslant();
     const TruthCache truths;
@@ -115,7 +115,7 @@ TEST(LeastBias, IsTheFirstThatIsEnough) {
     EXPECT_GE(rate(min.outside - 1), tolerated_false_shadow);
 }
 
-// A point k quanta behind its caster is lit under a bias of more than k: the gap is the bias.
+// Pixels up to 3.0 units from their caster are lit, farther ones are shadowed: the gap is 3.0.
 TEST(DetachmentGap, OfAStepIsWhereTheMaskBegins) {
     Traced traced;
     const int size = 10;
@@ -128,7 +128,7 @@ TEST(DetachmentGap, OfAStepIsWhereTheMaskBegins) {
         traced.truth.truth.behind.push_back(at * 0.1);
         if (at <= 30) mask[at] = 0;
     }
-    mask[90] = 0;  // at an edge: lit falsely, far behind
+    mask[90] = 0;  // at an edge: lit falsely, far from its caster
     EXPECT_NEAR(detachment_gap(traced, {mask, {}}), 3.0, 1e-12);
     EXPECT_EQ(detachment_gap(traced, {std::vector<std::uint8_t>(100, 255), {}}), 0);
 }
@@ -142,11 +142,11 @@ TEST(BiasStudy, RunsASweepAndASearch) {
         return *std::find_if(cases.begin(), cases.end(),
                              [&](const Case& c) { return c.extra.at(0).second == kind; });
     };
-    const Row rates = study->run(request, find("rates"));
+    const Row rates = figures_of(*study, request, find("rates"));
     EXPECT_GT(rates.number("false_shadow"), 0.1) << "no bias";
     EXPECT_EQ(rates.number("bias_quanta"), 0);
     EXPECT_TRUE(std::isnan(rates.number("least_quanta")));
-    const Row search = study->run(request, find("least"));
+    const Row search = figures_of(*study, request, find("least"));
     EXPECT_LT(search.number("false_shadow_outside"), 0.001);
     EXPECT_EQ(search.number("bias_quanta"), search.number("least_outside_quanta"));
     // 65536 quanta in 4 world units, 128 texels in 4.

@@ -1,4 +1,4 @@
-// The study of error against run time: rows of shared drawing are those of a frame drawn alone.
+// The study of error against run time: a row of shared drawing equals that of a frame drawn alone.
 #include "tools/cli/study_list.hpp"
 #include "tools/study/error_time/error_time.hpp"
 

@@ -1,18 +1,24 @@
-// Studies before they run: --vary, the grid, the rows, the front.
+// Studies before they run: --vary, the grid, rows, the Pareto front, sections of a report.
 #include "tests/support/error_of.hpp"
 #include "tools/cli/study_list.hpp"
 #include "tools/io/text_formats.hpp"
 #include "tools/study/csv.hpp"
+#include "tools/study/column_meanings.hpp"
 #include "tools/study/error_time/pareto.hpp"
+#include "tools/study/grid.hpp"
 #include "tools/study/inputs.hpp"
-#include "tools/study/row_text.hpp"
+#include "tools/study/report_sections.hpp"
 #include "tools/study/vary.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -38,6 +44,11 @@ TEST(Vary, RangesAreExactAndHoldBothEnds) {
         {"lookup=nearest,bilinear", {"nearest", "bilinear"}},
         {"light.target=[0,0,0],[0,1,0]", {"[0,0,0]", "[0,1,0]"}},
         {"form=correct", {"correct"}},
+        // 0.1 + 0.2 is 0.3, and 12 decimals are exact.
+        {"bias=0.1:0.3:0.2", {"0.1", "0.3"}},
+        {"bias=-0.000000000001:0.000000000001:0.000000000001",
+         {"-0.000000000001", "0", "0.000000000001"}},
+        {"bias=1000000:1000001:0.5", {"1000000", "1000000.5", "1000001"}},
     };
     for (const auto& [text, values] : cases) EXPECT_EQ(parse_vary(text).second, values) << text;
     EXPECT_EQ(parse_vary("light.azimuth=1").first, "light.azimuth");
@@ -46,7 +57,8 @@ TEST(Vary, RangesAreExactAndHoldBothEnds) {
 TEST(Vary, WhatIsWrongIsOneLineWithTheRemedy) {
     for (const char* text : {"bias", "=1", "bias=0:1", "bias=0:1:0", "bias=0:1:-1", "bias=1:0:1",
                              "bias=a:2:1", "bias=0:1:1:1", "bias=1,,2", "bias=", "bias=1,1",
-                             "bias=0:9999999:1", "bias=0:1e3:1",
+                             "bias=0:9999999:1", "bias=0:1e3:1", "bias=0:1:.5",
+                             "bias=0:1:0.0000000000001", "bias=-:1:1", "bias=0:1 :1",
                              "bias=9000000000000000000:9000000000000000000:0.0001"}) {
         const std::string error = error_of([&] { parse_vary(text); });
         EXPECT_EQ(error.find("--vary " + std::string(text) + ": "), 0u) << error;
@@ -79,7 +91,50 @@ TEST(Grid, VariedValuesReplaceTheStudysAndNewKeysComeLast) {
     EXPECT_EQ(cases[1].name, "lookup=bilinear dither=none bias=2");
     EXPECT_EQ(cases[3].name, "lookup=bilinear dither=normal bias=2");
     EXPECT_EQ(joined(cases, cases).size(), 4u);
+    std::vector<Case> other{cases[2], cases[0]};
+    other[0].extra = {{"find", "least"}};  // another case, though its settings are the same
+    const std::vector<Case> both = joined(cases, other);
+    ASSERT_EQ(both.size(), 5u);
+    EXPECT_EQ(both[4].extra, other[0].extra);
     EXPECT_EQ(scene_of(request, cases[3]).settings.bias_q16, 2 << 16);
+}
+
+// 100 000 cases joined with as many: if the time were quadratic it would be minutes.
+TEST(Grid, JoiningIsLinear) {
+    Request request;
+    const GridKey many = parse_vary("bias=1:50000:1");
+    const std::vector<Case> first = grid(request, {many, {"low_pass", {"0", "1"}}});
+    const std::vector<Case> more = grid(request, {many, {"low_pass", {"1", "2"}}});
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(joined(first, more).size(), 150'000u);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+TEST(Report, FiguresAreRoundedToWhatIsKnown) {
+    EXPECT_EQ(rounded(0.123456789), "0.123");
+    EXPECT_EQ(rounded(1234567.8), "1234568");
+    EXPECT_EQ(rounded(2.0), "2");
+    EXPECT_EQ(rounded(999.7), "1000");
+    EXPECT_EQ(rounded(std::nan("")), "");
+    EXPECT_EQ(rounded(-std::numeric_limits<double>::infinity()), "-inf");
+    EXPECT_EQ(percent(0.23873), "23.9 %");
+    EXPECT_EQ(percent(0.000531), "0.053 %");
+    EXPECT_EQ(percent(0), "0 %");
+    EXPECT_EQ(percent(std::nan("")), "");
+}
+
+TEST(Csv, LinesOfOtherProgramsAreRead) {
+    const Path path = std::filesystem::temp_directory_path() /
+                      fmt::format("umbra78-csv-{}.csv", getpid());
+    const std::string text = "a,b\r\n1,\"x\r\ny\"\r\n,2\r\n";
+    write_file(path, std::as_bytes(std::span(text)));
+    const Csv csv = read_csv(path);
+    std::filesystem::remove(path);
+    EXPECT_EQ(csv.columns, (Texts{"a", "b"}));
+    ASSERT_EQ(csv.rows.size(), 2u);
+    EXPECT_EQ(csv.rows[0], (Texts{"1", "x\r\ny"}));
+    EXPECT_EQ(csv.at(1, "b"), "2");
+    EXPECT_EQ(csv.at(1, "c"), std::nullopt);
 }
 
 TEST(Rows, ReadBackAsTheyWereWritten) {
@@ -126,6 +181,15 @@ TEST(Pareto, TheFrontHoldsWhatNothingBeats) {
 
 constexpr std::array<std::string_view, 2> own{"xy_bits", "z_bits"};
 
+// Each of three settings is as fast as its neighbour, within 4 %, but not as the next but one.
+TEST(Pareto, CostsWithinTheNoiseAreEqual) {
+    const std::vector<CostAndError> points{{100, 4}, {103, 3}, {106, 2}, {109, 1}};
+    EXPECT_EQ(pareto_front(points).size(), 4u);
+    EXPECT_EQ(pareto_front(points, 0.02), (std::vector<std::size_t>{0, 1, 2, 3}));
+    EXPECT_EQ(pareto_front(points, 0.04), (std::vector<std::size_t>{1, 3}));
+    EXPECT_EQ(pareto_front(points, 0.1), (std::vector<std::size_t>{3}));
+}
+
 TEST(ForSweep, AKeyOfItsOwnIsNotCrossedWithTheOthers) {
     Request request;
     request.vary = {{"xy_bits", {"7", "8"}}, {"z_bits", {"12"}}, {"light.azimuth", {"0", "9"}}};
@@ -141,11 +205,13 @@ TEST(ForSweep, AKeyOfItsOwnIsNotCrossedWithTheOthers) {
     EXPECT_EQ(keys(for_sweep(request, own, {})), "z_bits light.azimuth ");
 }
 
-// What was told, as text.
-struct ToldReport final : Report {
+// What was reported, as text.
+struct TextReport final : Report {
     std::string text;
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
 
+    void answer(std::string_view words) override { text += "! " + std::string(words) + '\n'; }
+    void heading(std::string_view words) override { text += "# " + std::string(words) + '\n'; }
     void paragraph(std::string_view words) override { text += std::string(words) + '\n'; }
     void plot(const Plot& plot, std::string_view) override {
         text += plot.name + ": " + plot.title + '\n';
@@ -155,13 +221,13 @@ struct ToldReport final : Report {
                  std::string_view) override {
         text += std::string(name) + '\n';
     }
-    void table(const std::vector<std::vector<std::string>>& rows, std::string_view) override {
+    void table(const TableCells& rows, std::string_view) override {
         text += std::to_string(rows.size()) + " rows\n";
     }
     nlohmann::ordered_json& summary() override { return json; }
 };
 
-TEST(ForCombinations, TellsEachApart) {
+TEST(ReportSections, OneForEachCombination) {
     Request request;
     request.vary = {{"xy_bits", {"7", "8"}}, {"light.azimuth", {"0", "9"}}, {"bias", {"1"}}};
     std::vector<Row> rows;
@@ -170,25 +236,30 @@ TEST(ForCombinations, TellsEachApart) {
         row.set("light.azimuth", std::string(azimuth));
         rows.push_back(row);
     }
-    const Tell tell = [](std::span<const Row> some, Report& to) {
+    const WriteSection write = [](std::span<const Row> some, Report& to) {
         Plot plot{"p", "Title", "", "", false, false, {}};
+        to.answer("yes");
+        to.heading("head");
         to.plot(plot, "");
         to.summary()["rows"] = some.size();
     };
-    ToldReport told;
-    for_combinations(request, own, rows, told, tell);
-    EXPECT_EQ(told.text, "With light.azimuth = 0:\np-1: Title (light.azimuth = 0)\n"
-                         "With light.azimuth = 9:\np-2: Title (light.azimuth = 9)\n");
+    TextReport told;
+    write_sections(request, own, rows, told, write);
+    EXPECT_EQ(told.text,
+              "! With light.azimuth = 0: yes\n# head (with light.azimuth = 0)\n"
+              "p-1: Title (light.azimuth = 0)\n"
+              "! With light.azimuth = 9: yes\n# head (with light.azimuth = 9)\n"
+              "p-2: Title (light.azimuth = 9)\n");
     EXPECT_EQ(told.json["combinations"]["light.azimuth = 0"]["rows"], 2);
     request.vary = {{"xy_bits", {"7", "8"}}};
-    ToldReport whole;
-    for_combinations(request, own, rows, whole, tell);
-    EXPECT_EQ(whole.text, "p: Title\n");
+    TextReport whole;
+    write_sections(request, own, rows, whole, write);
+    EXPECT_EQ(whole.text, "! yes\n# head\np: Title\n");
     EXPECT_EQ(whole.json["rows"], 3);
 }
 
-// The same scene by another path is the same study: shards of it belong together.
-TEST(Asked, TheScenesPathIsNotOfTheHash) {
+// The same scene under another path is the same study: its shards belong together.
+TEST(Asked, TheScenesPathIsNotInTheHash) {
     Request one, other;
     one.quick = other.quick = true;
     one.scene_text = other.scene_text =

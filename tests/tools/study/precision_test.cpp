@@ -1,7 +1,7 @@
-// The study of precision: every unit within its bound, and a unit that is not is seen.
+// The study of precision: every unit is within its bound, and a unit that is not is found.
+#include "tests/tools/study/study_cases.hpp"
 #include "tools/cli/study_list.hpp"
 #include "tools/study/precision/precision.hpp"
-#include "tools/study/study.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ TEST(StudyPrecision, EveryUnitIsWithinItsBoundAndNearIt) {
     const std::vector<Case> cases = study->cases(request);
     EXPECT_GE(cases.size(), 10u);
     for (const Case& c : cases) {
-        const Row row = study->run(request, c);
+        const Row row = figures_of(*study, request, c);
         EXPECT_EQ(row.text("holds"), "yes") << c.name << " at " << row.text("worst_input");
         EXPECT_EQ(row.number("above_bound"), 0) << c.name;
         EXPECT_LE(row.number("over_bound"), 1) << c.name;
@@ -40,7 +40,7 @@ TEST(StudyPrecision, ATruncationIsAboveTheBoundOfARounding) {
     EXPECT_EQ(std::accumulate(r.histogram.begin(), r.histogram.end(), std::uint64_t{0}), r.cases);
 }
 
-// One pair in 2^32 is wrong, at the end of a slope: the climb finds what draws do not.
+// One pair in 2^32 is wrong, at the top of a slope: the climb finds what random draws do not.
 TEST(StudyPrecision, TheClimbFindsARareFault) {
     const PrecisionUnit slope{"slope", "", 1, 2, {16, 16, 0, 0}, false, [](const Input& in) {
                                   const auto x = static_cast<double>(in[0] ^ 0x1234);

@@ -3,12 +3,14 @@
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
 #include "tools/cli/study_list.hpp"
-#include "tools/study/study.hpp"
+#include "tools/study/column_meanings.hpp"
+#include "tools/study/csv.hpp"
 #include "tools/truth/patch_truth.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <map>
+#include <regex>
 
 namespace umbra78::tools {
 namespace {
@@ -40,6 +42,28 @@ struct Study : Program {
     void run_well(const std::string& arguments) const {
         const Ran ran = run(arguments);
         ASSERT_EQ(ran.exit_code, 0) << arguments << ": " << ran.err;
+    }
+    // The answer, then a plot, then the tables; no figure with more digits than are known.
+    static void expect_answer_first(const std::string& page, bool has_plots) {
+        const std::size_t answer = page.find("<h2>The answer</h2>\n<p>"),
+                          plot = page.find("<figure>"), table = page.find("<table>");
+        ASSERT_NE(answer, std::string::npos);
+        ASSERT_NE(table, std::string::npos);
+        EXPECT_LT(answer, table);
+        if (has_plots) {
+            ASSERT_NE(plot, std::string::npos);
+            EXPECT_LT(answer, plot);
+            EXPECT_LT(plot, table);
+        }
+        const std::string text = std::regex_replace(page, std::regex("src=\"[^\"]*\""), "");
+        std::smatch found;
+        EXPECT_FALSE(std::regex_search(text, found, std::regex("[0-9]\\.[0-9]{7,}")))
+            << found.str();
+    }
+    static void expect_columns_explained(const study::Study& study, const fs::path& csv) {
+        for (const std::string& column : study::read_csv(csv).columns)
+            EXPECT_TRUE(study::meaning_of(column, study)) << column << " is not explained";
+        EXPECT_FALSE(study::meaning_of("no_such_column", study));
     }
     static bool there(const char* program) {
         return std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) ==
@@ -194,6 +218,8 @@ TEST_F(Study, EachQuickRunEndsInItsPageAndIsVerified) {
         const auto made = contents(name);
         EXPECT_TRUE(made.contains(name + ".csv") && made.contains("index.html"));
         EXPECT_EQ(parse_json(made.at(name + ".json"))["failed_cases"], 0);
+        expect_answer_first(made.at("index.html"), there("gnuplot"));
+        expect_columns_explained(*each, folder / name / (name + ".csv"));
         const Ran ran = run("study verify " + name + "/" + name + ".csv --sample 2");
         EXPECT_EQ(ran.exit_code, 0) << ran.out;
         EXPECT_NE(ran.out.find("2 of "), std::string::npos) << ran.out;
@@ -222,8 +248,14 @@ TEST_F(Study, ErrorsAreOneLine) {
                                     "umbra78 study error-time --help", 2},
         {"study error-time none.toml", "cannot read 'none.toml': No such file or directory; give "
                                        "the path of a scene file", 1},
-        {"study error-time --shard 4/3", "--shard 4/3: it is no part of a whole; write i/n as in "
-                                         "1/3, 2/3, 3/3", 1},
+        {"study error-time --shard 4/3", "--shard 4/3: it is not a part of a whole; write i/n as "
+                                         "in 1/3, 2/3, 3/3, n up to 2147483647", 1},
+        // 2^32 + 1 in 32 bits would be 1.
+        {"study error-time --shard 1/4294967297",
+         "--shard 1/4294967297: it is not a part of a whole; write i/n as in 1/3, 2/3, 3/3, n up "
+         "to 2147483647", 1},
+        {"study error-time --shard 1/2x", "--shard 1/2x: it is not a part of a whole; write i/n as "
+                                          "in 1/3, 2/3, 3/3, n up to 2147483647", 1},
         {"study precision --vary z_bits=12",
          "unknown argument '--vary'; known here: --help, --out, --quick, --jobs, --shard, "
          "--no-host-times, --json; see umbra78 study precision --help", 2},

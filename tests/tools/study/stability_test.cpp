@@ -1,7 +1,7 @@
-// The study of stability: every case holds, planted faults turn some red, rows are reproducible.
+// The study of stability: every case holds, planted faults are found, rows are reproducible.
+#include "tests/tools/study/study_cases.hpp"
 #include "tools/cli/study_list.hpp"
 #include "tools/study/stability/stability.hpp"
-#include "tools/study/study.hpp"
 
 #include "fixed/overflow.hpp"
 
@@ -33,14 +33,14 @@ TEST(StudyStability, EveryCaseHoldsAndSaysSoTwice) {
     std::set<std::string> names;
     for (const Case& c : cases) {
         EXPECT_TRUE(names.insert(c.name).second) << c.name << " is there twice";
-        const Row row = study->run(quick(), c);
+        const Row row = figures_of(*study, quick(), c);
         EXPECT_EQ(row.text("holds"), "yes") << c.name << ": " << row.text("observed");
         EXPECT_NE(row.text("machine_status"), "") << c.name;
-        EXPECT_EQ(texts(row), texts(study->run(quick(), c))) << c.name;
+        EXPECT_EQ(texts(row), texts(figures_of(*study, quick(), c))) << c.name;
     }
 }
 
-// Red where the units under test have the fault, and only there.
+// The cases that do not hold with these units.
 std::set<std::string> red_cases(const UnitsUnderTest& units) {
     std::set<std::string> red;
     for (const UnitCase& c : unit_cases())
@@ -75,7 +75,7 @@ TEST(StudyStability, AnAccumulatorOf32BitsIsSeen) {
     EXPECT_EQ(red_cases(units), std::set<std::string>{"unit: all corner products of 3 x 4"});
 }
 
-// A matrix whose words are not those of the exact one is beyond its bound.
+// 1/3 in 16 bits comes near its bound, and the identity, which is exact, has no error.
 TEST(StudyStability, TheBoundOfTheTransformIsTight) {
     hw::RationalMatrix identity{};
     for (std::size_t k = 0; k < 4; ++k) identity[k][k] = 1;
@@ -100,6 +100,23 @@ TEST(StudyStability, ACaseWithTooManySplitsOrAnUnexpectedStatusIsRed) {
     const Finding refused = examine(c, {true});
     EXPECT_FALSE(refused.holds);
     EXPECT_TRUE(refused.status.starts_with("refused: ")) << refused.status;
+}
+
+// The numbers of the table of depths are columns, and the settings are those of the drawn frame.
+TEST(StudyStability, ADepthCaseCarriesItsRatioAndItsSettings) {
+    const auto study = make_stability_study();
+    int found = 0;
+    std::int64_t must = 10;
+    for (const Case& c : study->cases(quick())) {
+        if (!c.name.starts_with("far/near ")) continue;
+        const Row row = figures_of(*study, quick(), c);
+        EXPECT_EQ(row.number("far_over_near"), double(must)) << c.name;
+        EXPECT_FALSE(row.text("far_codes").empty()) << c.name;
+        EXPECT_EQ(study->scene(quick(), c)->settings.machine.xy_bits, 6) << "as --quick draws it";
+        must *= 10;
+        ++found;
+    }
+    EXPECT_EQ(found, 6);
 }
 
 TEST(StudyStability, LimitsAreFoundByBisection) {

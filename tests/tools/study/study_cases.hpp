@@ -1,4 +1,4 @@
-// A study's cases for tests: asked of a scene as text, run one by one.
+// For tests of studies: requests for a scene as text, and cases that are run alone.
 #pragma once
 
 #include "tools/study/study.hpp"
@@ -35,7 +35,13 @@ bias    = 64
 )");
 }
 
-// A row that holds these numbers, as if a case had run.
+// The figures of one case, as the framework runs it.
+inline Row figures_of(const Study& study, const Request& request, const Case& c) {
+    const auto scene = study.scene(request, c);
+    return study.run(request, c, scene ? &*scene : nullptr);
+}
+
+// A row with these values, as if a case had run.
 inline Row row_with(const std::vector<std::pair<std::string, Value>>& cells) {
     Row row;
     for (const auto& [column, value] : cells) row.set(column, value);

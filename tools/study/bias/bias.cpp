@@ -1,11 +1,13 @@
 // umbra78 study bias: which bias, and in which unit?
 //
-// Two kinds of case. A sweep is one bias, and both rates of error at it. A search bisects whole
-// quanta for the least bias with under 0.1 % false shadow, overall and outside the edge band (one
-// light texel mapped back to the observer): false shadow never rises with the bias, since every
-// pixel's depth only falls. Searches at other widths say in which unit that bias stands still.
+// There are two kinds of case. One is a bias, and both rates of error with it. The other is a
+// search by bisection, in whole quanta, for the least bias with under 0.1 % false shadow, over all
+// pixels and outside the edge band (one light texel mapped back to the observer). Bisection is
+// sound because false shadow never rises with the bias: every pixel's depth only falls. Searches
+// at other widths show in which unit the least bias stays the same.
 #include "tools/study/bias/report.hpp"
 #include "tools/study/bias/search.hpp"
+#include "tools/study/grid.hpp"
 
 #include <array>
 #include <cmath>
@@ -24,7 +26,8 @@ public:
     }
     Takes takes() const override { return {true, true}; }
     std::vector<Case> cases(const Request&) const override;
-    Row run(const Request&, const Case&) const override;
+    Row run(const Request&, const Case&, const LoadedScene*) const override;
+    std::vector<ColumnMeaning> columns() const override;
     void report(const Request& request, std::span<const Row> rows,
                 Report& report) const override {
         report_bias(request, rows, report);
@@ -47,7 +50,7 @@ std::vector<Case> sweeps(std::vector<Case> cases) {
     return cases;
 }
 
-// The values without the scene's own.
+// The values, separated by spaces, without the scene's own.
 std::vector<std::string> other(const std::string& values, int own) {
     std::vector<std::string> kept;
     std::istringstream words(values);
@@ -56,7 +59,7 @@ std::vector<std::string> other(const std::string& values, int own) {
     return kept;
 }
 
-// --vary without a key that the search finds by itself.
+// --vary without the bias, which the search finds by itself.
 Request without_bias(Request request) {
     std::erase_if(request.vary, [](const GridKey& axis) { return axis.first == "bias"; });
     return request;
@@ -81,7 +84,7 @@ std::vector<Case> BiasStudy::cases(const Request& request) const {
     axes.push_back({"bias", biases});
     all = joined(std::move(all), sweeps(grid(sweep, axes)));
 
-    // Beside the scene's own widths, which are above.
+    // Other widths than the scene's own, which are above.
     const hw::MachineSpec& own = request.scene.settings.machine;
     const auto add_width = [&](std::string_view key, const char* values, int its_own) {
         Request only = without_bias(for_sweep(request, swept, std::array{key}));
@@ -99,8 +102,8 @@ std::vector<Case> BiasStudy::cases(const Request& request) const {
     return all;
 }
 
-Row BiasStudy::run(const Request& request, const Case& c) const {
-    const LoadedScene scene = scene_of(request, c);
+Row BiasStudy::run(const Request&, const Case& c, const LoadedScene* drawn) const {
+    const LoadedScene& scene = *drawn;
     const auto traced = truths_.needed(scene);
     const LightUnits units = light_units(scene);
     BiasedFrames frames(scene, *traced);
@@ -124,6 +127,25 @@ Row BiasStudy::run(const Request& request, const Case& c) const {
     set_in_three_units(row, "bound_outside", units, frames.bound(traced->band));
     row.set("beyond_bound", std::int64_t{frames.beyond_bound(mask, bias)});
     return row;
+}
+
+std::vector<ColumnMeaning> BiasStudy::columns() const {
+    std::vector<ColumnMeaning> all(std::begin(rate_columns), std::end(rate_columns));
+    for (const ColumnMeaning& own : std::initializer_list<ColumnMeaning>{
+             {"find", "rates: both errors at one bias; least: a search for the least bias"},
+             {"bias_*", "the bias in quanta of the light's Z, light texels, world units; of a "
+                        "search the one that its rates are of: the least outside the edge band"},
+             {"gap_*", "the distance from its caster at which a shadow begins, in the same units"},
+             {"least_outside_*", "the least bias with under 0.1 % false shadow outside the edge "
+                                 "band; empty if an eighth of the depth range is not enough"},
+             {"least_*", "the least bias with under 0.1 % false shadow over all pixels"},
+             {"bound_outside_*", "the analytic bound that 99.9 % of the lit pixels outside the "
+                                 "edge band keep"},
+             {"bound_*", "the analytic bound that 99.9 % of all lit pixels keep"},
+             {"beyond_bound", "pixels outside the edge band in false shadow although the bias is "
+                              "at least their own bound"}})
+        all.push_back(own);
+    return all;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A scene under one bias after another: drawn once, its shadows cast anew; and the least bias that
-// leaves under 0.1 % of false shadow.
+// A scene drawn once and its shadows cast with one bias after another; and the least bias that
+// leaves under 0.1 % false shadow.
 #pragma once
 
 #include "tools/study/bias/bias_bound.hpp"
@@ -12,7 +12,7 @@
 namespace umbra78::tools::study {
 
 inline constexpr double tolerated_false_shadow = 0.001;
-// Where a search gives up: an eighth of the depth range, 8192 quanta of 1978's.
+// Where a search ends: an eighth of the depth range, 8192 quanta with 16 bits of Z.
 inline int max_bias_quanta(const hw::MachineSpec& m) {
     return static_cast<int>(std::max(m.background() / 8, 1u));
 }
@@ -26,16 +26,18 @@ public:
     BiasedFrames(const LoadedScene&, const Traced&);  // both must live
 
     const shadow::Settings& settings() const { return scene_.settings; }
-    double bias_quanta() const;  // of the settings
-    // With the bias in quanta, or the settings' own.
+    double bias_quanta() const;  // the settings' own bias
+    // With this bias in quanta, or with the settings' own.
     MachineMask draw(std::optional<double> bias_quanta = std::nullopt);
     ShadowReport errors(const MachineMask& mask) const {
         return report(traced_.truth, mask, traced_.band);
     }
-    FalseShadow false_shadow(const MachineMask&) const;  // errors' two, and no others
-    // The bias at which the bound holds for all lit pixels outside the band but those tolerated.
+    FalseShadow false_shadow(const MachineMask&) const;  // two of errors(), computed faster
+    // The bias that is at least the bound of all lit pixels that are not left out, except the
+    // tolerated share.
     double bound(const Band& leave_out) const;
-    // Pixels outside the band in false shadow though the bias is at least their bound.
+    // The number of pixels outside the band in false shadow although the bias is at least their
+    // bound.
     int beyond_bound(const MachineMask&, double bias_quanta) const;
 
 private:
@@ -45,14 +47,14 @@ private:
     std::vector<std::uint8_t> visible_;
 };
 
-// In whole quanta; NaN where most_bias_quanta do not suffice.
+// In whole quanta; NaN if max_bias_quanta is not enough.
 struct LeastBias {
     double overall, outside;  // outside the edge band
 };
 LeastBias min_bias(BiasedFrames&);
 
-// The least of 0 .. most for which `enough` is true, where it stays true from there on; nothing
-// if it is not true of `most`.
+// The least number 0 .. max for which `enough` is true; nothing if it is false for `max`. Requires
+// that it stays true for all larger numbers.
 std::optional<int> bisect(int max, const std::function<bool(int)>& enough);
 
 }  // namespace umbra78::tools::study

@@ -1,14 +1,15 @@
-// The study of error against run time: what a setting costs, and what it is worth.
+// umbra78 study error-time: what a setting costs, and how much error it saves.
 //
 // Errors are those of tools/truth/metrics.hpp against exact truth, over all pixels and outside the
-// edge band (one light texel mapped back and the filters' reach). Costs are the machine's cycles
-// and the host's milliseconds, the thread's own on a processor. Other cases run on the other cores
-// meanwhile and share the caches; --jobs 1 gives quieter times.
+// edge band (one light texel mapped back to the observer, and the filters' reach). Costs are the
+// machine's cycles, and the host's milliseconds: the thread's own time on a processor. Other cases
+// run on the other cores meanwhile and share the caches; --jobs 1 gives quieter times.
 #include "tools/study/error_time/error_time.hpp"
 
 #include "tools/render/report.hpp"
 #include "tools/scene/settings_text.hpp"
 #include "tools/study/error_time/shared_draw.hpp"
+#include "tools/study/grid.hpp"
 #include "tools/study/truth_cache.hpp"
 
 #include <fmt/format.h>
@@ -26,8 +27,8 @@ bool varies(const Request& request, std::string_view key) {
                        [&](const GridKey& axis) { return axis.first == key; });
 }
 
-// The scene's bias in texels, as the slope errors are that it must exceed: in quanta it would
-// mean another length with every width of Z.
+// The scene's bias in texels, in which the slope errors that it must exceed are constant. In quanta
+// it would be another length with every width of Z.
 std::vector<GridKey> same_bias(const Request& request) {
     if (varies(request, "bias") || varies(request, "bias_unit")) return {};
     const shadow::Settings& s = request.scene.settings;
@@ -59,7 +60,7 @@ std::vector<Case> both_filters(const Request& request, const std::vector<GridKey
     return joined(grid(request, with(axes, off)), grid(request, with(axes, on)));
 }
 
-// Neighbours share what is drawn.
+// Sorts cases that share drawn views next to one another, for SharedDraw.
 void put_shared_drawing_together(std::vector<Case>& cases) {
     const auto drawing = [](const Case& c) {
         std::string key;
@@ -90,7 +91,8 @@ public:
         return "Error against run time: what each setting costs, and what it is worth";
     }
     std::vector<Case> cases(const Request&) const override;
-    Row run(const Request&, const Case&) const override;
+    Row run(const Request&, const Case&, const LoadedScene*) const override;
+    std::vector<ColumnMeaning> columns() const override;
     void report(const Request& request, std::span<const Row> rows, Report& to) const override {
         report_error_time(request, rows, to);
     }
@@ -99,8 +101,8 @@ private:
     TruthCache truths_;
 };
 
-// A main grid, and the other axes one at a time about the scene's own widths: the whole product
-// would take hours and say the same.
+// A main grid, and the other keys one at a time with the scene's own widths. The product of all
+// keys would take hours.
 std::vector<Case> ErrorTime::cases(const Request& request) const {
     const std::vector<GridKey> bias = same_bias(request);
     const GridKey lookup{"lookup", {"nearest", "bilinear"}};
@@ -126,15 +128,40 @@ std::vector<Case> ErrorTime::cases(const Request& request) const {
     return all;
 }
 
-Row ErrorTime::run(const Request& request, const Case& c) const {
-    // A thread goes through neighbouring cases; its frame is drawn anew where it must be.
+Row ErrorTime::run(const Request& request, const Case&, const LoadedScene* scene) const {
+    // A thread goes through neighbouring cases; what they share is drawn once.
     thread_local SharedDraw shared;
-    const LoadedScene scene = scene_of(request, c);
     const int runs = !request.host_times ? 1 : request.quick ? quick_runs : full_runs;
-    RenderJob& drawn = shared.draw(request.scene_text, scene, runs);
-    Row row = error_time_row(scene, drawn, truths_.of(scene).get());
+    RenderJob& drawn = shared.draw(request.scene_text, *scene, runs);
+    Row row = error_time_row(*scene, drawn, truths_.of(*scene).get());
     set_times(row, shared);
     return row;
+}
+
+std::vector<ColumnMeaning> ErrorTime::columns() const {
+    return {
+        {"*_hash", "FNV-1a-64 of a plane of the frame: equal hashes, equal pixels"},
+        {"lit_pixels", "pixels that truth lights and both see"},
+        {"shadowed_pixels", "pixels that truth shadows and both see"},
+        {"false_shadow", "share of the lit pixels that the filtered mask shadows, 0 .. 1"},
+        {"false_light", "share of the shadowed pixels that the filtered mask lights, 0 .. 1"},
+        {"wrong", "share of all pixels seen that are in false shadow or false light, 0 .. 1"},
+        {"outside_*", "the same without the edge band: pixels within a light texel (mapped back "
+                      "to the observer) and the filters' reach of a shadow's edge in truth"},
+        {"isolated_pixels", "drawn pixels none of whose four neighbours has the same answer"},
+        {"edge_mean_px", "mean distance of the drawn shadow's edge from the true one, and of the "
+                         "true one from the drawn one, pixels; the edges of acne count"},
+        {"edge_hausdorff_px", "the maximum of those distances, pixels"},
+        {"edge_mean_world", "edge_mean_px in world units, comparable across resolutions"},
+        {"depth_pixels", "pixels whose Z is compared with truth, away from silhouettes"},
+        {"depth_*", "drawn Z minus exact Z over those pixels, quanta: min, mean, max, rms"},
+        {"frame_bytes", "memory of the frame's planes on this computer, bytes"},
+        {"*_cycles", "cycles of the machine, simulated: of the frame, or of the transformation "
+                     "alone; before them the profile's name, empty where it cannot draw the case"},
+        {"*_machine_ms", "those cycles in milliseconds of the machine's clock"},
+        {"spread_host_ms", "maximum minus minimum of the repeated runs, ms, summed over stages"},
+        {"*_host_ms", "this computer's time for a stage or for all, ms, median of repeated runs"},
+    };
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The names of settings in the study of error against run time.
+// Short names of settings for the report of error against run time.
 #include "tools/study/error_time/error_time.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace umbra78::tools::study {
 namespace {
 
-// A setting as a word or two; nothing where it is the same in all rows.
+// A setting in a word or two.
 std::string word_of(const std::string& key, const std::string& value) {
     if (key == "xy_bits") return value + " bits";
     if (key == "z_bits") return "Z " + value;
@@ -33,7 +33,7 @@ std::string short_name(const Row& row, std::span<const Row> all) {
         const std::string value = row.text(key);
         const auto alike = std::count_if(all.begin(), all.end(),
                                          [&](const Row& r) { return r.text(key) == value; });
-        // What most rows share goes without saying, but for what the main grid varies.
+        // What most rows share is left out, except what the main grid varies.
         constexpr std::array<std::string_view, 4> said{"xy_bits", "lookup", "dither",
                                                        "dequantize"};
         const bool is_said = std::find(said.begin(), said.end(), key) != said.end();
@@ -43,7 +43,7 @@ std::string short_name(const Row& row, std::span<const Row> all) {
         if (key == "bias") word += " " + row.text("bias_unit");
         if (!word.empty()) words.push_back(word);
     };
-    // Overrides that are no settings, extra columns, settings: all that stands before the figures.
+    // Overrides, extra columns and settings: all columns before the figures.
     for (const auto& [key, value] : row.cells()) {
         if (key == "status") break;
         if (key != "case" && key != "name" && key != "arithmetic" && key != "clock_ns") add(key);

@@ -6,7 +6,8 @@
 
 namespace umbra78::tools::study {
 
-std::vector<std::size_t> pareto_front(std::span<const CostAndError> points) {
+std::vector<std::size_t> pareto_front(std::span<const CostAndError> points,
+                                      double cost_noise) {
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (std::isfinite(points[k].first) && std::isfinite(points[k].second)) order.push_back(k);
@@ -19,7 +20,13 @@ std::vector<std::size_t> pareto_front(std::span<const CostAndError> points) {
         min = points[k].second;
         front.push_back(k);
     }
-    return front;
+    // From the least error down in cost, so that each point is compared with one that stays.
+    std::vector<std::size_t> kept;
+    for (auto k = front.rbegin(); k != front.rend(); ++k)
+        if (kept.empty() || points[kept.back()].first > points[*k].first * (1 + cost_noise))
+            kept.push_back(*k);
+    std::reverse(kept.begin(), kept.end());
+    return kept;
 }
 
 std::size_t knee_of(std::span<const CostAndError> points, std::span<const std::size_t> front,

@@ -1,4 +1,4 @@
-// The figures of one case of the study of error against run time, but for the host's times.
+// The figures of one case of the study of error against run time, except host times.
 #include "tools/study/error_time/error_time.hpp"
 
 #include "shadow/frame/profiles.hpp"
@@ -51,9 +51,9 @@ void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job, const 
     set("depth_rms_quanta", depth.rms);
 }
 
-// A profile's cycles mean something for a case that its words and its arithmetic could have made:
-// as many passes of the multiplier a coefficient, and the same post-process. A profile that names
-// no arithmetic is of the fixed-point machine.
+// Whether the profile's machine could have drawn the case, so that its cycles mean something: it
+// makes as many passes of the multiplier for a coefficient, and has the same post-process. A
+// profile that names no arithmetic is one of the fixed-point machine.
 bool applies(const shadow::Profile& profile, const shadow::Settings& settings) {
     shadow::Settings its, both = settings;
     shadow::apply(profile, its);
@@ -78,7 +78,7 @@ void set_cycles(Row& row, const std::string& prefix, const RenderJob& job) {
     set("transformation", ledger.transformation(true));
 }
 
-// Bits do not depend on a profile, its coefficients' width apart: that stays the case's.
+// A profile changes no bit of the picture except by the coefficients' width, which stays the case's.
 void set_profiles(Row& row, RenderJob& job) {
     const shadow::Settings settings = job.settings();
     for (const shadow::Profile& profile : shadow::profiles()) {

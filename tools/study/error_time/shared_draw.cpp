@@ -31,8 +31,8 @@ Timed timed(int runs, Stage stage) {
     return {ms[ms.size() / 2], ms.back() - ms.front()};
 }
 
-// What a job must have in common with a scene to go on with it: all but settings, and the widths
-// of its planes.
+// What a scene must share with a job to be drawn by it: everything except settings, and the widths
+// of the job's planes.
 std::string key_of(const std::string& text, const LoadedScene& scene) {
     return fmt::format("{} {}{}", scene.settings.machine.z_bits, truth_key(scene), text);
 }

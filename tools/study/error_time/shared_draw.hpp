@@ -1,8 +1,8 @@
-// A frame whose views are drawn once for all cases in a row that share them.
+// Draws frames of successive cases, and draws again only the views in which they differ.
 //
-// Each case's frame is the one that RenderJob::render() would give: a view is kept only where
-// shadow::find_reuse() says so, and its times are those of when it was drawn.
-// Times are the thread's own on a processor: what else runs on the computer does not count.
+// Each frame is the one that RenderJob::render() would draw: a view is kept only where
+// shadow::find_reuse() says that it is the same, and its times are those of when it was drawn.
+// Times are the thread's own time on a processor, so other programs and threads do not count.
 #pragma once
 
 #include "tools/render/render_job.hpp"
@@ -13,15 +13,15 @@
 
 namespace umbra78::tools::study {
 
-// Of several runs of the same stage: their median, and greatest less least.
+// Of several runs of the same stage: the median, and the maximum minus the minimum.
 struct Timed {
     double median_ms = 0, spread_ms = 0;
 };
 
 class SharedDraw {
 public:
-    // Draws the frame, each stage `runs` times. `text` is the one that the scene was read from.
-    // Throws SceneError.
+    // Draws the frame, each stage `runs` times. `text` is what the scene was read from. The job is
+    // valid until the next draw. Throws SceneError.
     RenderJob& draw(const std::string& text, const LoadedScene&, int runs);
 
     Timed light, observer, post_process, filters;

@@ -1,10 +1,12 @@
 // umbra78 study moire: is the error a pattern, and which remedy makes it noise?
 //
-// Two grounds. The scene's own surfaces, whose moire changes its pitch from place to place: there
-// the flatness of small windows tells pattern from noise. A slanted plane, whose moire has one
-// pitch, known beforehand from the two grids: there the highest line of the spectrum tells. The
-// bias is figure 3's, half a texel. Dithers too narrow, and a generator that is started anew in
-// every row, must fail; a measure that passes them measures nothing.
+// The error is measured on two grounds. On the scene's own surfaces the moire changes its pitch
+// from place to place; there the flatness of small windows distinguishes pattern from noise. On a
+// slanted plane the moire has one pitch, which is predicted from the two grids; there the highest
+// line of the spectrum decides. The bias is figure 3's, half a texel. Dithers that are too narrow,
+// and a generator that restarts in every row, are negative controls: a measure that takes them for
+// noise measures nothing.
+#include "tools/study/grid.hpp"
 #include "tools/study/moire/frame.hpp"
 #include "tools/study/moire/report.hpp"
 
@@ -20,7 +22,11 @@ public:
         return "Is the error a pattern: its spectrum before and after each remedy";
     }
     std::vector<Case> cases(const Request&) const override;
-    Row run(const Request&, const Case&) const override;
+    std::optional<LoadedScene> scene(const Request& request, const Case& c) const override {
+        return moire_scene(request, c);
+    }
+    Row run(const Request&, const Case&, const LoadedScene*) const override;
+    std::vector<ColumnMeaning> columns() const override;
     void report(const Request& request, std::span<const Row> rows,
                 Report& report) const override {
         report_moire(request, rows, report);
@@ -59,12 +65,12 @@ std::vector<Case> MoireStudy::cases(const Request& request) const {
     return all;
 }
 
-Row MoireStudy::run(const Request& request, const Case& c) const {
-    const MoireFrame frame = draw_moire(request, c, truths_);
+Row MoireStudy::run(const Request&, const Case& c, const LoadedScene* scene) const {
+    const MoireFrame frame = draw_moire(*scene, c, truths_);
     const ErrorSpectrum s = error_spectrum(frame.traced->truth, frame.shown(), frame.window_px);
     Row row;
-    set_rates(row, report_of(frame));
-    set_in_three_units(row, "bias", light_units(frame.scene), frame.bias_quanta);
+    set_rates(row, tools::report(frame.traced->truth, frame.shown(), frame.traced->band));
+    set_in_three_units(row, "bias", light_units(*scene), frame.bias_quanta);
     row.set("flatness", s.flatness.windows > 0 ? Value(s.flatness.median) : Value());
     row.set("windows", std::int64_t{s.flatness.windows});
 
@@ -90,24 +96,52 @@ Row MoireStudy::run(const Request& request, const Case& c) const {
     return row;
 }
 
+std::vector<ColumnMeaning> MoireStudy::columns() const {
+    std::vector<ColumnMeaning> all(std::begin(rate_columns), std::end(rate_columns));
+    for (const ColumnMeaning& own : std::initializer_list<ColumnMeaning>{
+             {"ground", "what is seen: the scene's own surfaces, or the slanted plane"},
+             {"noise", "machine: the machine's noise source; restarted rows: a generator that "
+                       "restarts in every row, a negative control"},
+             {"bias_*", "the bias in quanta of the light's Z, light texels, world units"},
+             {"flatness", "median spectral flatness of 32 x 32 windows of the error: white noise "
+                          "0.56, a pattern towards 0; empty without a window of 16 errors"},
+             {"windows", "how many windows have the 16 errors that make a spectrum"},
+             {"peak_over_mean", "the highest line of the plane's spectrum over the mean line"},
+             {"fisher_g", "Fisher's g: that line's share of the whole power"},
+             {"fisher_p", "the probability of so high a line in white noise"},
+             {"anisotropy_db", "the maximum anisotropy of any ring of the spectrum, dB"},
+             {"white_anisotropy_db", "the mean of it for white noise, dB"},
+             {"peak_u", "frequency of that line along X, cycles a pixel"},
+             {"peak_v", "frequency of that line along Y, cycles a pixel"},
+             {"peak_period_px", "its period, pixels"},
+             {"beat_*", "frequency (u, v) and period of the predicted beat of the two grids"},
+             {"harmonic_*", "the harmonic (k, l) of the two grids at the measured line; 0, 0 if "
+                            "there is none up to order 5"}})
+        all.push_back(own);
+    return all;
+}
+
+bool has(const Case& c, std::string_view column, std::string_view value) {
+    for (const auto& [name, held] : c.extra)
+        if (name == column) return held == value;
+    return false;
+}
+
 }  // namespace
 
-MoireFrame draw_moire(const Request& request, const Case& c, const TruthCache& truths) {
-    const auto is = [&](const char* key, const char* value) {
-        for (const auto& [name, held] : c.extra)
-            if (name == key) return held == value;
-        return false;
-    };
-    const bool plane = is("ground", "plane");
+LoadedScene moire_scene(const Request& request, const Case& c) {
+    return has(c, "ground", "plane") ? parse_scene(slanted_plane, "the slanted plane", c.set)
+                                     : scene_of(request, c);
+}
+
+MoireFrame draw_moire(const LoadedScene& scene, const Case& c, const TruthCache& truths) {
     MoireFrame frame;
-    frame.scene = plane ? parse_scene(slanted_plane, "the slanted plane", c.set)
-                        : scene_of(request, c);
-    frame.traced = truths.needed(frame.scene);
-    frame.window_px = plane ? frame.scene.settings.machine.size_px() / 2 : 0;
-    RenderJob job(frame.scene.view(), frame.scene.settings);
+    frame.traced = truths.needed(scene);
+    frame.window_px = has(c, "ground", "plane") ? scene.settings.machine.size_px() / 2 : 0;
+    RenderJob job(scene.view(), scene.settings);
     draw_mask(job);
     frame.visible = job.visible();
-    if (is("noise", "restarted rows")) {
+    if (has(c, "noise", "restarted rows")) {
         frame.mask = mask_with_restarted_rows(job);
     } else {
         const auto mask = job.bytes(Plane::mask);
@@ -116,10 +150,6 @@ MoireFrame draw_moire(const Request& request, const Case& c, const TruthCache& t
     const std::int64_t bias_q16 = job.matrices().lights[0].bias_quanta_q16;
     frame.bias_quanta = std::ldexp(static_cast<double>(bias_q16), -16);
     return frame;
-}
-
-ShadowReport report_of(const MoireFrame& frame) {
-    return report(frame.traced->truth, frame.shown(), frame.traced->band);
 }
 
 std::unique_ptr<Study> make_moire_study() { return std::make_unique<MoireStudy>(); }

@@ -1,6 +1,7 @@
 #include "tools/study/moire/report.hpp"
 
 #include "tools/paper/bands.hpp"
+#include "tools/study/report_sections.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,9 +12,10 @@
 namespace umbra78::tools::study {
 namespace {
 
-std::string figure(const Row& row, const char* column, const char* form) {
+// With that many decimals; "" for an empty cell.
+std::string figure(const Row& row, const char* column, int decimals) {
     const double value = row.number(column);
-    return std::isnan(value) ? "" : fmt::format(fmt::runtime(form), value);
+    return std::isnan(value) ? "" : fmt::format("{:.{}f}", value, decimals);
 }
 
 bool is(const Row& row, std::string_view column, std::string_view value) {
@@ -21,42 +23,43 @@ bool is(const Row& row, std::string_view column, std::string_view value) {
 }
 
 void table_scene(std::span<const Row> rows, Report& report) {
-    std::vector<std::vector<std::string>> table{{"lookup", "dither", "texels", "noise",
-        "false shadow", "isolated pixels", "flatness", "windows", "verdict"}};
+    TableCells table{{"lookup", "dither", "its size, texels", "noise source", "false shadow",
+                      "isolated pixels", "flatness", "windows", "verdict"}};
     for (const Row& row : rows)
         if (is(row, "ground", "scene"))
             table.push_back({row.text("lookup"), row.text("dither"), row.text("dither_size"),
-                             row.text("noise"), figure(row, "false_shadow", "{:.4f}"),
-                             row.text("isolated_pixels"), figure(row, "flatness", "{:.3f}"),
+                             row.text("noise"), percent(row.number("false_shadow")),
+                             row.text("isolated_pixels"), figure(row, "flatness", 3),
                              row.text("windows"), verdict(row)});
-    report.table(table, "The scene's surfaces: the median flatness of 32 x 32 windows of the error "
-                        "over lit pixels. White noise has 0.5615 (0.57 to 0.59 where errors are "
-                        "few), a pattern goes to 0. 'no errors': fewer than ten windows have the "
-                        "16 errors that make a spectrum.");
+    report.table(table, "The scene's surfaces. Flatness is the median spectral flatness of 32 x 32 "
+                        "windows of the error over lit pixels: white noise has 0.5615, 0.57 to "
+                        "0.59 where errors are few; a pattern tends to 0. 'Too few errors': fewer "
+                        "than ten windows have the 16 errors that make a spectrum. Dither 'none' "
+                        "is no dither.");
 }
 
 void table_plane(std::span<const Row> rows, Report& report) {
-    std::vector<std::vector<std::string>> table{{"lookup", "dither", "texels", "noise",
-        "false shadow", "peak over mean", "Fisher's g", "p", "anisotropy, dB", "flatness",
-        "peak's period, px", "predicted beat, px", "harmonic (k, l)", "verdict"}};
+    TableCells table{{"lookup", "dither", "its size, texels", "noise source", "false shadow",
+                      "peak over mean", "p", "anisotropy, dB", "flatness", "peak's period, px",
+                      "predicted beat, px", "harmonic (k, l)", "verdict"}};
     for (const Row& row : rows)
         if (is(row, "ground", "plane"))
             table.push_back({row.text("lookup"), row.text("dither"), row.text("dither_size"),
-                             row.text("noise"), figure(row, "false_shadow", "{:.4f}"),
-                             figure(row, "peak_over_mean", "{:.1f}"),
-                             figure(row, "fisher_g", "{:.5f}"), figure(row, "fisher_p", "{:.2g}"),
-                             figure(row, "anisotropy_db", "{:.1f}"),
-                             figure(row, "flatness", "{:.3f}"),
-                             figure(row, "peak_period_px", "{:.3f}"),
-                             figure(row, "beat_period_px", "{:.3f}"),
-                             row.text("harmonic_k") + ", " + row.text("harmonic_l"),
+                             row.text("noise"), percent(row.number("false_shadow")),
+                             rounded(row.number("peak_over_mean")),
+                             rounded(row.number("fisher_p"), 2), figure(row, "anisotropy_db", 1),
+                             figure(row, "flatness", 3), figure(row, "peak_period_px", 3),
+                             figure(row, "beat_period_px", 3),
+                             row.text("harmonic_k").empty()
+                                 ? "" : row.text("harmonic_k") + ", " + row.text("harmonic_l"),
                              verdict(row)});
-    report.table(table, "A slanted plane, the middle quarter of the picture. White noise peaks at "
-                        "about ln(cells), 11 for 256 x 256; p is the chance of so high a line in "
-                        "noise; anisotropy is the greatest of any ring, white noise's mean -10 "
-                        "log10 K of K segments. The beat is that of the observer's pixels with "
-                        "the steeper axis of the light's texels; (k, l) is the harmonic of the "
-                        "two grids that the measured peak stands on, 0, 0 for none up to order "
+    report.table(table, "The slanted plane, the middle quarter of the picture. White noise peaks at "
+                        "about ln(cells) times the mean, 11 for 256 x 256. p is the probability of "
+                        "so high a line in white noise (Fisher's g): a pattern has less than 0.001. "
+                        "Anisotropy is the maximum of any ring of the spectrum; the mean of white "
+                        "noise is -10 log10 K for K segments. The beat is that of the observer's "
+                        "pixels with the steeper axis of the light's texels; (k, l) is the harmonic "
+                        "of the two grids at the measured peak, 0, 0 if there is none up to order "
                         "5.");
 }
 
@@ -81,12 +84,15 @@ void plot_sizes(std::span<const Row> rows, const char* ground, const char* colum
             if (!series.points.empty()) plot.series.push_back(std::move(series));
         }
         if (!plot.series.empty())
-            report.plot(plot, "At figure 3's bias, half a texel. What is missing left too few "
-                              "errors to have a spectrum.");
+            report.plot(plot, fmt::format(
+                "The bias is figure 3's, half a texel. {} A missing point left too few errors for "
+                "a spectrum.",
+                log_y ? "White noise is at about 11."
+                      : "White noise is at 0.56; below 0.48 the error is a pattern."));
     }
 }
 
-// The remedies of figure 4, one and both, drawn once more for their pictures.
+// The remedies of figure 4, each alone and both, drawn again for their pictures.
 struct Remedy {
     const char *name, *title, *lookup, *dither;
 };
@@ -109,7 +115,7 @@ void picture_spectra(const Request& request, const char* ground, Report& report)
                           fmt::format("lookup={}", remedy.lookup),
                           fmt::format("dither={}", remedy.dither), "dither_size=1"},
                      {{"ground", ground}, {"noise", "machine"}}};
-        const MoireFrame frame = draw_moire(request, c, truths);
+        const MoireFrame frame = draw_moire(moire_scene(request, c), c, truths);
         const SceneTruth& truth = frame.traced->truth;
         int n = frame.window_px;
         std::vector<double> power;
@@ -132,16 +138,16 @@ void picture_spectra(const Request& request, const char* ground, Report& report)
                                    "middle, white the highest bin, black four decades below.{}",
                                    frame.window_px > 0 ? "the plane"
                                                        : "the lit window with the most errors",
-                                   remedy.title, none ? " No pixel of it is wrong: it is black."
+                                   remedy.title, none ? " No pixel is wrong, so it is black."
                                                       : ""));
     }
     if (!radial.series.empty())
-        report.plot(radial, "Power in rings round zero frequency, of the mean of the window's "
-                            "segments; white noise lies at 1.");
+        report.plot(radial, "Power in rings around zero frequency, averaged over the window's "
+                            "segments; white noise is at 1.");
 }
 
-// Controls first: a measure that passes them is none.
-void tell_controls(std::span<const Row> rows, Report& report) {
+// Cases that a sound measure must not take for noise.
+void report_controls(std::span<const Row> rows, Report& report) {
     auto& json = report.summary()["controls"];
     for (const Row& row : rows) {
         const bool restarted = is(row, "noise", "restarted rows");
@@ -158,29 +164,52 @@ void tell_controls(std::span<const Row> rows, Report& report) {
             return control["verdict"] == verdict;
         });
     };
+    report.heading("Is the measure sound?");
     report.paragraph(fmt::format(
-        "Negative controls: {} cases of a quarter texel of dither with nearest lookup, or of a "
-        "generator started anew in every row; {} of them pass for noise, {} leave no error to "
-        "measure. With bilinear lookup a narrow dither is no control: interpolation has taken the "
-        "pattern away by itself. A pattern is, on the plane, a peak that white noise has once in "
-        "1000 windows (Fisher's g); in the scene, a flatness of {} or less, and noise {} or more.",
-        json.size(), count("noise"), count("no errors"), max_periodic_flatness,
+        "There are {} negative controls: a quarter texel of dither with nearest lookup, or a "
+        "generator that restarts in every row. {} of them pass for noise, {} leave too few errors "
+        "to measure. With bilinear lookup a narrow dither is not a control, because interpolation "
+        "removes the pattern by itself. On the plane a pattern is a peak that white noise has "
+        "once in 1000 windows (Fisher's g); in the scene it is a flatness of {} or less, and "
+        "noise is {} or more.",
+        json.size(), count("noise"), count("too few errors"), max_periodic_flatness,
         min_noise_flatness));
 }
 
-void tell_beat(std::span<const Row> rows, Report& report) {
+// What each lookup's error on the scene's surfaces is, without dither and with a texel of it.
+void answer_remedies(std::span<const Row> rows, Report& report) {
+    for (const char* lookup : {"nearest", "bilinear"}) {
+        std::string words;
+        for (const Row& row : rows) {
+            const bool undithered = is(row, "dither", "none");
+            if (!is(row, "ground", "scene") || !is(row, "lookup", lookup) ||
+                !is(row, "noise", "machine") || (row.number("dither_size") != 1 && !undithered))
+                continue;
+            words += fmt::format("{}{}: {}", words.empty() ? "" : "; ",
+                                 undithered ? "no dither" : row.text("dither"), verdict(row));
+            if (verdict(row) != "too few errors")
+                words += fmt::format(" ({})", figure(row, "flatness", 3));
+        }
+        if (!words.empty())
+            report.answer(fmt::format("The error on the scene's surfaces with {} lookup and a "
+                                      "dither of one texel (in brackets the flatness, 0.56 for "
+                                      "white noise): {}.", lookup, words));
+    }
+}
+
+void answer_beat(std::span<const Row> rows, Report& report) {
     for (const Row& row : rows) {
         if (!is(row, "ground", "plane") || !is(row, "lookup", "nearest") ||
             !is(row, "dither", "none") || std::isnan(row.number("peak_period_px")))
             continue;
-        report.paragraph(fmt::format(
-            "The moire of a slanted plane, the study's own: predicted from the two grids, a beat "
-            "of {} px at ({}, {}) cycles a "
-            "pixel; measured, a peak of {} times the mean, {} px at ({}, {}), harmonic ({}, {}).",
-            figure(row, "beat_period_px", "{:.3f}"), figure(row, "beat_u", "{:.4f}"),
-            figure(row, "beat_v", "{:.4f}"), figure(row, "peak_over_mean", "{:.0f}"),
-            figure(row, "peak_period_px", "{:.3f}"), figure(row, "peak_u", "{:.4f}"),
-            figure(row, "peak_v", "{:.4f}"), row.text("harmonic_k"), row.text("harmonic_l")));
+        report.answer(fmt::format(
+            "The moire of the study's slanted plane is where the two grids put it. Predicted is a "
+            "beat of {} px at ({}, {}) cycles a pixel; measured is a peak of {} times the mean, {} "
+            "px at ({}, {}), harmonic ({}, {}).",
+            figure(row, "beat_period_px", 3), figure(row, "beat_u", 4), figure(row, "beat_v", 4),
+            figure(row, "peak_over_mean", 0), figure(row, "peak_period_px", 3),
+            figure(row, "peak_u", 4), figure(row, "peak_v", 4), row.text("harmonic_k"),
+            row.text("harmonic_l")));
         report.summary()["beat_px"] = {{"predicted", row.number("beat_period_px")},
                                        {"measured", row.number("peak_period_px")}};
         return;
@@ -188,11 +217,12 @@ void tell_beat(std::span<const Row> rows, Report& report) {
 }
 
 // Williams 1978, p. 273, on figure 3: the reading of tools/paper/bands.hpp.
-void tell_bands(Report& report) {
+void report_bands(Report& report) {
     const auto rows = measure_bands(64);
-    std::vector<std::vector<std::string>> table{{"light", "sampling", "registration", "limb",
-        "middle", "inner", "line", "line is the light's right edge", "greatest at the line",
-        "band left of the line", "observer's right edge dark"}};
+    TableCells table{{"light's azimuth", "sampling", "registration", "false shadow: limb",
+                      "middle", "inner", "line", "line is the light's right edge",
+                      "maximum at the line", "band left of the line",
+                      "observer's right edge dark"}};
     std::size_t max = 0;
     for (const BandRow& row : rows) {
         const std::array<bool, 4> fits{row.line_is_lights_right_edge(), row.max_at_line(),
@@ -202,14 +232,16 @@ void tell_bands(Report& report) {
             fmt::format("{:+d}", row.azimuth),
             row.sampling == raster::Sampling::centre ? "centre" : "leaf",
             row.registration == shadow::Registration::centre ? "centre" : "index"};
-        for (const double rate : row.false_shadow) line.push_back(fmt::format("{:.3f}", rate));
+        for (const double rate : row.false_shadow) line.push_back(percent(rate));
         for (const bool fit : fits) line.emplace_back(fit ? "yes" : "no");
         table.push_back(std::move(line));
     }
-    report.table(table, "The paper's sentence on figure 3's two bands, part by part, for each side "
-                        "of the light, sampling and registration; the figures' scene, 64 quanta.");
-    report.paragraph(fmt::format("The paper's sentence on the two bands: of its four parts no "
-                                 "reading fits more than {}.", max));
+    report.heading("The paper's two bands");
+    report.paragraph(fmt::format("The paper describes two bands on figure 3 in a sentence of four "
+                                 "parts. No reading of it fits more than {} of them.", max));
+    report.table(table, "The sentence part by part, for each side of the light, sampling and "
+                        "registration, in the figures' scene with 64 quanta of bias. The limb is "
+                        "the sphere's visible edge, the line that where its shadow begins.");
     report.summary()["bands"] = to_json(rows);
 }
 
@@ -218,11 +250,11 @@ void tell_bands(Report& report) {
 std::string verdict(const Row& row) {
     if (is(row, "ground", "plane")) {
         const double p = row.number("fisher_p");
-        if (std::isnan(p)) return "no errors";
+        if (std::isnan(p)) return "too few errors";
         return p < 1e-3 ? "pattern" : "noise";
     }
     const double flatness = row.number("flatness");
-    if (std::isnan(flatness) || row.number("windows") < min_windows) return "no errors";
+    if (std::isnan(flatness) || row.number("windows") < min_windows) return "too few errors";
     if (flatness <= max_periodic_flatness) return "pattern";
     return flatness >= min_noise_flatness ? "noise" : "between";
 }
@@ -231,19 +263,23 @@ void report_moire(const Request& request, std::span<const Row> all, Report& repo
     std::vector<Row> rows;
     for (const Row& row : all)
         if (is(row, "status", "ok")) rows.push_back(row);
-    constexpr std::array<std::string_view, 3> told{"lookup", "dither", "dither_size"};
-    for_combinations(request, told, rows, report, [](std::span<const Row> some, Report& to) {
-        tell_beat(some, to);
-        tell_controls(some, to);
+    constexpr std::array<std::string_view, 3> keys{"lookup", "dither", "dither_size"};
+    write_sections(request, keys, rows, report, [](std::span<const Row> some, Report& to) {
+        answer_remedies(some, to);
+        answer_beat(some, to);
+        plot_sizes(some, "scene", "flatness", "flatness", false, to);
+        to.heading("On the slanted plane");
+        plot_sizes(some, "plane", "peak_over_mean", "peak over mean", true, to);
+        to.heading("Every case");
         table_scene(some, to);
         table_plane(some, to);
-        plot_sizes(some, "scene", "flatness", "flatness", false, to);
-        plot_sizes(some, "plane", "peak_over_mean", "peak over mean", true, to);
+        report_controls(some, to);
     });
+    report.heading("Spectra");
     picture_spectra(request, "plane", report);
     if (request.quick) return;
     picture_spectra(request, "scene", report);
-    tell_bands(report);
+    report_bands(report);
 }
 
 }  // namespace umbra78::tools::study

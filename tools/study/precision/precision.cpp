@@ -1,4 +1,4 @@
-// study precision: the worst error of every fixed-point unit, against its bound.
+// umbra78 study precision: the maximum error of every fixed-point unit, against its bound.
 #include "tools/study/precision/precision.hpp"
 #include "tools/study/study.hpp"
 
@@ -49,8 +49,8 @@ public:
         return "The worst error of each fixed-point unit, against its bound";
     }
     Takes takes() const override { return {false, false}; }
-    std::optional<shadow::Settings> settings(const Request&, const Case&) const override {
-        return std::nullopt;
+    std::optional<LoadedScene> scene(const Request&, const Case&) const override {
+        return std::nullopt;  // a case is a unit, not a frame
     }
 
     std::vector<Case> cases(const Request&) const override {
@@ -60,7 +60,7 @@ public:
         return all;
     }
 
-    Row run(const Request& request, const Case& c) const override {
+    Row run(const Request& request, const Case& c, const LoadedScene*) const override {
         const auto start = std::chrono::steady_clock::now();
         for (const PrecisionUnit& unit : precision_units()) {
             if (unit.name != c.name) continue;
@@ -74,14 +74,16 @@ public:
     }
 
     void report(const Request&, std::span<const Row> rows, Report& report) const override {
-        std::vector<std::vector<std::string>> table{
-            {"unit", "way", "cases", "worst, LSB", "bound", "worst / bound", "worst input", "why"}};
+        TableCells table{{"unit", "inputs", "cases", "maximum error, LSB", "bound, LSB",
+                          "error over bound", "input of the maximum", "why this bound"}};
         Plot plot{"errors", "Errors of the units", "error over its bound", "share of the cases",
                   false, true, {}};
         double worst = 0;
+        std::string beyond;
         for (const Row& r : rows) {
-            table.push_back({r.text("unit"), r.text("way"), r.text("cases"), r.text("worst_lsb"),
-                             r.text("bound_lsb"), r.text("over_bound"), r.text("worst_input"),
+            table.push_back({r.text("unit"), r.text("way"), r.text("cases"),
+                             rounded(r.number("worst_lsb")), rounded(r.number("bound_lsb")),
+                             rounded(r.number("over_bound")), r.text("worst_input"),
                              r.text("bound_source")});
             Series series{r.text("unit"), {}, true, {}};
             for (int bin = 0; bin < error_bins; ++bin) {
@@ -90,13 +92,44 @@ public:
             }
             plot.series.push_back(std::move(series));
             worst = std::max(worst, r.number("over_bound"));
+            if (r.text("holds") != "yes")
+                beyond += fmt::format("{}{}", beyond.empty() ? "" : ", ", r.text("unit"));
         }
         report.summary()["greatest_over_bound"] = worst;
-        report.paragraph(fmt::format("The greatest error over its bound is {}. A tie reaches 1: "
-                                     "it is half an LSB off whichever way it goes.", worst));
-        report.table(table, "The worst that was found, as words.");
-        report.plot(plot, "How the errors are spread from 0 to the bound. Climbing makes the "
-                          "drawn ones heavier at the bound than a frame's are.");
+        report.answer(
+            beyond.empty()
+                ? fmt::format("All {} units are as exact as they promise: no error that was found "
+                              "exceeds its bound. The greatest is {:.3f} times its bound. At 1 "
+                              "it is a tie, half an LSB off whichever way it is rounded.",
+                              rows.size(), worst)
+                : fmt::format("NOT within their bounds: {}. The greatest error is {} times its "
+                              "bound.", beyond, rounded(worst)));
+        report.plot(plot, "The distribution of the errors from 0 to the bound. Where inputs are "
+                          "searched and not all tried, the search makes errors near the bound more "
+                          "frequent than they are in a frame.");
+        report.heading("Every unit");
+        report.table(table, "'All words' means that every input was tried; 'drawn, climbed' means "
+                            "random inputs, each changed a bit or a unit at a time as long as the "
+                            "error grows. The input of the maximum is given as words.");
+    }
+
+    std::vector<ColumnMeaning> columns() const override {
+        return {
+            {"unit", "the unit; the name of the case"},
+            {"bound_source", "why the bound is what it is"},
+            {"way", "all words; or drawn, climbed: random inputs, and a climb from each to greater "
+                    "errors; --quick tries fewer"},
+            {"cases", "how many inputs were tried"},
+            {"worst_lsb", "the maximum error that was found, in LSB of the unit's result"},
+            {"bound_lsb", "the bound that it must not exceed, LSB"},
+            {"over_bound", "worst_lsb over bound_lsb"},
+            {"mean_lsb", "the mean error of all inputs tried, LSB"},
+            {"worst_input", "the input words of the maximum error"},
+            {"bin_*", "how many errors are in this sixteenth of the range from 0 to the bound"},
+            {"above_bound", "how many errors are above the bound"},
+            {"holds", "yes if no error is above the bound"},
+            {"case_host_ms", "this computer's time for the case, ms"},
+        };
     }
 };
 

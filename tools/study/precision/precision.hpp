@@ -1,9 +1,9 @@
-// The study of precision: each fixed-point unit against exact arithmetic, its worst input found.
+// The study of precision: each fixed-point unit against exact arithmetic, with its worst input.
 //
-// A unit is a function of a few words whose error, in LSB of its result, can be told exactly. All
-// words are tried where they are few; else they are drawn, and the worst is climbed from: one
-// word is changed by a bit or by one, and what is worse is kept. Whatever the way, no error may
-// be above the bound, which follows from the unit's one rounding.
+// A unit is a function of a few words whose error, in LSB of its result, can be computed exactly.
+// If the words are few, all are tried. Otherwise random inputs are drawn and improved: one word is
+// changed by a bit or by one, and the change is kept if the error grows. No error may exceed the
+// bound, which follows from the unit's one rounding.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct PrecisionUnit {
     double bound;                            // in LSB
     int words;                               // how many of the input's words are used
     std::array<int, 4> bits;                 // their widths, signed
-    bool exhaustive;                         // all of them are tried; quick: every 61st
-    // The error in LSB; negative where the input is none of the unit's.
+    bool exhaustive;                         // all words are tried; in quick runs every 61st
+    // The error in LSB; negative if the input is not in the unit's domain.
     double (*error)(const Input&);
 };
 std::vector<PrecisionUnit> precision_units();

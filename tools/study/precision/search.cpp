@@ -1,4 +1,4 @@
-// All words, or drawn ones and a climb from the worst: where a unit's error is greatest.
+// Finds the input with the maximum error of a unit: among all words, or by random draws and climbs.
 #include "tools/study/precision/precision.hpp"
 
 #include "fixed/overflow.hpp"
@@ -17,7 +17,8 @@ public:
         z = (z ^ z >> 27) * 0x94d049bb133111eb;
         return z ^ z >> 31;
     }
-    // Any length is as likely as any other; one draw in eight is within 2 of an end.
+    // A word of random length; every length is as likely as any other. One draw in eight is within 3
+    // of an end of the range.
     std::int64_t word(int width) {
         const std::uint64_t draw = bits();
         if (draw % 8 == 0) {
@@ -38,7 +39,7 @@ class Search {
 public:
     explicit Search(const PrecisionUnit& unit) : unit_(unit) {}
 
-    // The error at a place, noted; negative where there is none.
+    // The error of an input, recorded; negative and not recorded outside the unit's domain.
     double at(const Input& in) {
         const double error = unit_.error(in);
         if (error < 0) return error;
@@ -64,7 +65,8 @@ public:
         }
     }
 
-    // From a drawn place upward: one bit of a word, or one more or less, as long as it gets worse.
+    // From a random input: a step flips a bit of a word, adds one or subtracts one, and is kept unless
+    // the error falls.
     void climb(Random& random, int steps) {
         Input best = drawn(random);
         double error = at(best);

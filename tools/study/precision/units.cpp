@@ -22,7 +22,7 @@ double rounding_shift(const Input& in) {
     return magnitude(Wide{q} * 128 - in[0]) / 128;
 }
 
-// Rounded once behind four products of 16 x 16 bits; the words repeat, as a matrix's do.
+// Four products of 16 x 16 bits, rounded once after the sum; the words repeat, as a matrix's do.
 double multiply_accumulate(const Input& in) {
     const Wide sum = Wide{in[0]} * in[1] + Wide{in[2]} * in[3] + Wide{in[0]} * in[3] +
                      Wide{in[2]} * in[1];
@@ -146,12 +146,12 @@ double float_product(const Input& in) {
 
 std::vector<PrecisionUnit> precision_units() {
     constexpr std::string_view once = "one rounding to nearest";
-    constexpr std::string_view once_behind = "exact sum, one rounding to nearest";
+    constexpr std::string_view once_after = "exact sum, one rounding to nearest";
     // The sine's evaluation is off by 3 units of 2^-63 at most (fixed/sine.hpp).
     const double sine_bound = 0.5 + 3 * std::ldexp(1.0, -33) + std::ldexp(1.0, -30);
     return {
         {"rounding shift", once, 0.5, 1, {24, 0, 0, 0}, true, rounding_shift},
-        {"multiply-accumulate", once_behind, 0.5, 4, {16, 16, 16, 16}, false,
+        {"multiply-accumulate", once_after, 0.5, 4, {16, 16, 16, 16}, false,
          multiply_accumulate},
         {"divide", "the certificate: 2 |q den - num 2^n| <= den", 0.5, 2, {36, 36, 0, 0}, false,
          quotient},
@@ -160,9 +160,9 @@ std::vector<PrecisionUnit> precision_units() {
         {"root, 64 bits", "the floor: below 1", 1, 1, {64, 0, 0, 0}, false, root},
         {"sine", "correctly rounded; 3 units of 2^-63 in its evaluation", sine_bound, 1,
          {26, 0, 0, 0}, true, sine},
-        {"transform", once_behind, 0.5, 4, {16, 16, 16, 16}, false, affine_transform},
+        {"transform", once_after, 0.5, 4, {16, 16, 16, 16}, false, affine_transform},
         // Three products lose up to 2^13 - 1 each, of an LSB of 2^14; the fourth ends in 14 zeros.
-        // Half an LSB is what is left to round, and that goes up.
+        // What is left is at most half an LSB, which is rounded up.
         {"transform, 22-bit accumulators", "three products cut down by 13 bits, rounded half up",
          3 * 8191.0 / 16384, 4, {16, 16, 16, 16}, false, short_transform},
         {"transform with perspective divide", "exact sums, the quotient's certificate", 0.5, 4,

@@ -1,4 +1,5 @@
-// One frame of the study of stability: drawn by the program's job, judged from outside.
+// One frame of the study of stability: drawn by the program's job, and checked with truth and with
+// the exact matrix.
 #include "tools/render/render_job.hpp"
 #include "tools/scene/checks.hpp"
 #include "tools/study/stability/stability.hpp"
@@ -18,7 +19,7 @@ const char* name_of(shadow::FrameStatus status) {
     return names[static_cast<std::size_t>(status)];
 }
 
-// The depth, in world units, that a Z code stands for: the inverse of hw/MACHINE.md, section 4.
+// The depth, in world units, of a Z code: the inverse of hw/MACHINE.md, section 4.
 double depth_of_code(double code, const TruthView& v, const hw::MachineSpec& m) {
     const double half = std::ldexp(1, m.z_bits - 1), z = (code - half) / half;  // -1 .. 1
     if (!v.perspective) return v.near_depth + (z + 1) / 2 * (v.far_depth - v.near_depth);
@@ -44,14 +45,14 @@ bool inner(const Truth& t, std::size_t at) {
     return true;
 }
 
-// Z as drawn against truth, over pixels whose neighbours are on the same surface. What truth sees
-// there and the machine did not draw is lost, but for depths whose code lies behind the last one:
-// hw/MACHINE.md, section 7, drops those, and the status says so.
+// The drawn Z against truth, over pixels whose neighbours are on the same surface. Pixels that truth
+// sees there and the machine did not draw are lost, except those whose code is beyond the last one:
+// the machine drops them (hw/MACHINE.md, section 7), and the status becomes beyond_last_code.
 void measure_depths(const RenderJob& job, const SceneTruth& truth, bool far_half, Finding& f) {
     const hw::MachineSpec& m = job.settings().machine;
     const Buffer buffer = job.buffer(Plane::observer_z);
     double quanta = 0, units = 0;
-    std::int64_t lost = 0, beyond = 0;
+    std::int64_t lost = 0, beyond = 0, measured = 0;
     std::visit(
         [&](const auto& words) {
             for (std::size_t at = 0; at < words.size(); ++at) {
@@ -62,6 +63,7 @@ void measure_depths(const RenderJob& job, const SceneTruth& truth, bool far_half
                     ++(code + 2 > m.background() ? beyond : lost);
                     continue;
                 }
+                ++measured;
                 quanta = std::max(quanta, std::abs(words[at] -
                                                    code_of_depth(d, truth.observer, m)));
                 units = std::max(units,
@@ -69,8 +71,10 @@ void measure_depths(const RenderJob& job, const SceneTruth& truth, bool far_half
             }
         },
         buffer.values);
-    f.depth_error_quanta = quanta;
-    f.depth_error_units = units;
+    if (measured > 0) {
+        f.depth_error_quanta = quanta;
+        f.depth_error_units = units;
+    }
     f.lost = lost;
     if (beyond > 0) f.status = "beyond_last_code";
     if (!far_half) return;
@@ -117,14 +121,17 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     f.error = t.worst;
     f.bound = t.bound;
     f.unit = "output LSB";
-    // Free patches are not measured: what is found must not depend on how the program is built.
+    if (c.far_over_near != 0) f.far_over_near = c.far_over_near;
+    // Free patches are not measured, because what is found must not depend on whether the program
+    // is built with Embree.
     if (const auto truth = scene.free_patches > 0 ? std::nullopt : trace(scene)) {
-        measure_depths(job, *truth, c.far_half, f);
+        measure_depths(job, *truth, c.far_over_near != 0, f);
         measure_shadow(job, *truth, f);
     }
     const bool words = t.sound && t.over_bound <= 1, ends = *f.splits <= c.max_splits;
     const bool sane = sane_mask(job);
-    // Blocks beyond the last level are dropped and counted; then pixels may be missing, by name.
+    // Blocks beyond the last level of subdivision are dropped and counted: then pixels may be missing,
+    // and the status says so.
     if (*f.unresolved > 0) f.status = "unresolved";
     const bool whole = f.lost.value_or(0) == 0 || *f.unresolved > 0;
     const bool named = f.status != "unresolved" || c.status == f.status;
@@ -151,25 +158,46 @@ std::string frame_status(const std::string& text, const std::vector<std::string>
     }
 }
 
+LoadedScene scene_of(const FrameCase& c, const Effort& effort) {
+    return parse_scene(c.scene, "case", overrides(c, effort));
+}
+
 Picture picture_of(const FrameCase& c, const Effort& effort) {
-    const LoadedScene scene = parse_scene(c.scene, "case", overrides(c, effort));
+    const LoadedScene scene = scene_of(c, effort);
     RenderJob job(scene.view(), scene.settings);
     job.render();
     const auto gray = job.bytes(Plane::picture);
     return {scene.settings.machine.size_px(), {gray.begin(), gray.end()}};
 }
 
-Finding examine(const FrameCase& c, const Effort& effort) {
-    const std::vector<std::string> set = overrides(c, effort);
+namespace {
+
+Finding refused(const FrameCase& c, std::string status) {
     Finding f;
-    f.status = frame_status(c.scene, set);
-    if (f.status != "ok") {
-        f.holds = c.status != "ok" && f.status.starts_with(c.status);
-        f.observed = "refused by name, nothing drawn";
-        return f;
-    }
-    judge(c, parse_scene(c.scene, "case", set), f);
+    f.status = std::move(status);
+    f.holds = c.status != "ok" && f.status.starts_with(c.status);
+    f.observed = "refused by name, nothing drawn";
     return f;
+}
+
+}  // namespace
+
+Finding examine(const FrameCase& c, const LoadedScene& scene) {
+    shadow::FrameMatrices matrices;
+    const auto status = shadow::load_matrices(scene.view(), scene.settings, matrices);
+    if (status != shadow::FrameStatus::ok) return refused(c, name_of(status));
+    Finding f;
+    f.status = "ok";
+    judge(c, scene, f);
+    return f;
+}
+
+Finding examine(const FrameCase& c, const Effort& effort) {
+    try {
+        return examine(c, scene_of(c, effort));
+    } catch (const SceneError& refusal) {
+        return refused(c, std::string("refused: ") + refusal.what());
+    }
 }
 
 }  // namespace umbra78::tools::study

@@ -1,4 +1,4 @@
-// Extreme frames: W about 0, surfaces without area or without end, widths at their ends.
+// Extreme frames: W near 0, surfaces without area or of enormous size, widths at their ends.
 #include "tools/study/stability/stability.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace {
 
 using Net = std::array<std::array<double, 3>, 16>;
 
-// The eye of `eye` stands at (0, 0, 5) and looks along -z.
+// The eye of the view `eye` is at (0, 0, 5) and looks along -z.
 constexpr std::string_view front = "[observer]\ntarget = [0, 0, 0]\nextent = 2\n";
 constexpr std::string_view eye =
     "[observer]\nprojection = \"perspective\"\ntarget = [0, 0, 0]\nextent = 2\ndistance = 5\n"
@@ -45,11 +45,11 @@ Net net(double s, double z, Move move) {
     return n;
 }
 
-// Control points in any order are folded over and over; a generator of 16 bits is enough for that.
+// Random control points make folds over folds; a generator of 16 bits is enough for that.
 Net crumpled(double s, double z, unsigned seed) {
     return net(0, z, [&](std::array<double, 3>& p, double, double) {
         for (double& c : p) {
-            seed = (seed * 25173 + 13849) & 0xffff;  // Grogono's, of the time
+            seed = (seed * 25173 + 13849) & 0xffff;  // Grogono's, of the 1970s
             c += s * (static_cast<double>(seed) / 32768 - 1);
         }
     });

@@ -1,7 +1,7 @@
-// Limits: a magnitude 2^k is moved until the machine refuses, by which name, from where on.
+// Limits: from which magnitude 2^k on the machine refuses, and with which status.
 //
-// The first refused k is found by bisection, and then every k is asked: what is refused once must
-// stay refused, and what is held must have the status ok.
+// The first refused k is found by bisection. Then every k is tried: all before it must have the
+// status ok, and all from it on must be refused.
 #include "tools/render/render_job.hpp"
 #include "tools/scene/scene_file.hpp"
 #include "tools/study/stability/stability.hpp"
@@ -44,7 +44,7 @@ std::string far_over_near(int k, const char* bits) {
 }
 std::string far_over_near_16(int k) { return far_over_near(k, "16"); }
 std::string far_over_near_24(int k) { return far_over_near(k, "24"); }
-// A depth of nine tenths of far, where its code rounds behind the last: it is not drawn.
+// Whether a depth of 0.9 far is drawn: it is not if its code rounds beyond the last one.
 std::string last_code(int k, int z_bits) {
     const double ratio = std::ldexp(1.0, k);  // far / near, with near = 1
     const double z = ((ratio + 1) * 0.9 * ratio - 2 * ratio) / ((ratio - 1) * 0.9 * ratio);
@@ -68,7 +68,7 @@ std::string lamp(int k) {
     text += fmt::format("position = [{}, 0.001, 0]\ntarget = [0, 0, 0]\n", two_to(k));
     return frame_status(text + "[[sphere]]\ncentre = [0, 0, 0]\nradius = 0.5\n", {});
 }
-// A square of 32 000 in a window of 2^k: 24 halvings a direction must bring it to 16 pixels.
+// A square 32 000 wide in a window of 2^k: 24 halvings a direction must reduce it to 16 pixels.
 std::string halvings(int k) {
     const std::vector<std::string> set{"light.extent=" + two_to(k)};
     const LoadedScene wide = parse_scene(
@@ -79,7 +79,7 @@ std::string halvings(int k) {
     job.draw_light();
     return job.counts().lights[0].map.unresolved == 0 ? "ok" : "unresolved";
 }
-// A patch crumpled over 32 000, whose corrections are the greatest there are.
+// A patch crumpled over 32 000 units, whose corrections are the greatest possible.
 std::string depth_of_a_crumpled(int k) {
     std::string text =
         "[observer]\ntarget = [0, 0, 0]\nextent = 2\n[light]\nazimuth = 0\ntarget = [0, 0, 0]\n"
@@ -134,7 +134,7 @@ std::vector<LimitCase> limit_cases() {
 Finding examine(const LimitCase& c) {
     const int step = c.to > c.from ? 1 : -1, all = std::abs(c.to - c.from);
     const auto status = [&](int n) { return c.status(c.from + step * n); };
-    int held = -1, refused = all + 1;  // by bisection: the last held, the first refused
+    int held = -1, refused = all + 1;  // by bisection: the last accepted, the first refused
     while (refused - held > 1) {
         const int middle = (held + refused) / 2;
         (status(middle) == "ok" ? held : refused) = middle;

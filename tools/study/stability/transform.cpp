@@ -1,10 +1,10 @@
-// The transform unit of a frame against its exact matrix, point by point.
+// A frame's transform unit against its exact matrix, point by point.
 //
 //   affine        |error| <= 1/2 + sum_j |v_j| u_r / 2              u_r: a row's coefficient LSB
 //   perspective   |error| <= 1/2 + (dN + |q| dW) / (W - dW)         dN, dW: those sums
 //
-// in LSB of the output. The exact side is in double precision; 2^-46 of the sum of magnitudes is
-// added for it, a thousandth of what 32-bit coefficients lose.
+// in LSB of the output. The exact side is computed in double precision; 2^-46 of the sum of the
+// magnitudes is added to the bound for it, a thousandth of what 32-bit coefficients lose.
 #include "tools/study/stability/stability.hpp"
 
 #include <array>
@@ -21,7 +21,7 @@ double real(const fixed::Rational& r) {
     return std::ldexp(static_cast<double>(word), log2 - 60);
 }
 
-// A row's value at a point, and what rounding its coefficients and cutting its products may add.
+// A row's value at a point, and by how much rounded coefficients and cut products may change it.
 struct RowValue {
     double value, doubt;
 };
@@ -40,7 +40,7 @@ RowValue at(const Matrix& m, std::size_t row, const hw::MatrixWords& words,
             const hw::MachineSpec& spec, const hw::Words& v) {
     const double scale = std::ldexp(1, -spec.input_fraction());
     const double coefficient_lsb = std::ldexp(1, words.exponent[row] - spec.coefficient_bits + 2);
-    // The fourth coefficient multiplies the word for one, which stands for 2^(n - 2).
+    // The fourth coefficient multiplies the word for one, which is 2^(n - 2).
     const double one = spec.one_word() * scale;
     const std::array<double, 4> in{v.x * scale, v.y * scale, v.z * scale, one};
     RowValue sum{0, 0};
@@ -82,7 +82,7 @@ struct Judge {
         ++found.points;
     }
 
-    // A status must be given where it is certain, and must not where the contrary is.
+    // Where the exact values leave no doubt, the status must be the right one.
     void divided(const hw::Words& v, const hw::Point& p) const {
         const RowValue w = at(exact, 3, words, spec, v);
         const bool behind = p.status == hw::DivideStatus::divisor_not_positive;

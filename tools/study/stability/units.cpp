@@ -1,8 +1,8 @@
-// Extreme words in every register of the units, against 128-bit arithmetic that shares nothing.
+// Extreme words in every register of the units, against 128-bit arithmetic that shares no code.
 //
-// A 3 x 4 transform has twelve coefficients; each at one of five words makes 5^12 = 244 140 625
-// matrices. A row's accumulator sees its own four coefficients and the point, and no other row's:
-// so the 3 x 5^4 rows, each at all 5^3 points, are all of them.
+// A 3 x 4 transform has twelve coefficients; with five words for each there are 5^12 = 244 140 625
+// matrices. A row's accumulator depends only on its own four coefficients and the point, so the
+// 3 x 5^4 rows, each at all 5^3 points, cover all matrices.
 #include "tools/study/stability/stability.hpp"
 
 #include "fixed/overflow.hpp"
@@ -117,7 +117,7 @@ Finding quotients(const UnitsUnderTest& units, const Effort& effort) {
     return verdict(cases, wrong, first);
 }
 
-// w = 0, -1, least: a status and 0, whatever the numerator.
+// w = 0, -1, minimum: a status and 0, whatever the numerator.
 Finding no_divisor(const UnitsUnderTest& units, const Effort&) {
     std::uint64_t cases = 0, wrong = 0;
     std::string first;
@@ -133,7 +133,7 @@ Finding no_divisor(const UnitsUnderTest& units, const Effort&) {
     return verdict(cases, wrong, first);
 }
 
-// Saturation holds the nearest word at every width, for the extreme words of every other width.
+// Saturation gives the nearest word at every width, for the extreme words of every other width.
 Finding saturation(const UnitsUnderTest& units, const Effort&) {
     std::uint64_t cases = 0, wrong = 0;
     std::string first;
@@ -152,7 +152,8 @@ Finding saturation(const UnitsUnderTest& units, const Effort&) {
     return verdict(cases, wrong, first);
 }
 
-// Extreme and nearly singular words in the whole perspective unit: defined, and certified.
+// Extreme and nearly singular words in the whole perspective unit: the status is defined, and the
+// quotient has its certificate.
 Finding whole_unit(const UnitsUnderTest&, const Effort& effort) {
     std::uint64_t cases = 0, wrong = 0;
     std::string first;

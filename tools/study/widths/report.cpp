@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace umbra78::tools::study {
 namespace {
@@ -29,8 +30,28 @@ Rows where(std::span<const Row> rows, Wanted wanted) {
     return kept;
 }
 
-std::string rate(const Row& row, const char* column) {
-    return fmt::format("{:.3f} %", 100 * row.number(column));
+std::string rate(const Row& row, const char* column) { return percent(row.number(column)); }
+
+// A difference of two rates, in percentage points with their sign.
+std::string points(double difference) { return fmt::format("{:+.2f} points", 100 * difference); }
+
+// A column's name in prose; the word itself where it says enough.
+std::string words_of(std::string_view column) {
+    constexpr std::pair<std::string_view, std::string_view> words[] = {
+        {"xy_bits", "bits of X and Y"}, {"z_bits", "bits of Z"},
+        {"coefficient_bits", "bits of a matrix coefficient"},
+        {"accumulator_bits", "bits of the accumulator, at most"},
+        {"fraction_bits", "fraction bits of X and Y"},
+        {"coefficient_rounding", "matrix coefficient"}, {"product_rounding", "product"},
+        {"transform_rounding", "transformed coordinate"}, {"depth_rounding", "drawn sample's Z"},
+        {"light_map_bytes", "the light map's memory"}, {"drawing_cycles", "cycles of drawing"},
+        {"transformation_cycles", "cycles of the transformation"},
+        {"false_shadow", "false shadow"}, {"false_light", "false light"},
+        {"false_shadow_outside", "false shadow outside the edge band"},
+        {"world", "world units"}};
+    for (const auto& [name, meaning] : words)
+        if (name == column) return std::string(meaning);
+    return std::string(column);
 }
 
 Series curve(std::string title, const Rows& rows, const char* x, const char* y, double scale) {
@@ -44,8 +65,8 @@ Series curve(std::string title, const Rows& rows, const char* x, const char* y, 
 void plot_width(std::span<const Row> rows, const char* key, const char* unit, Report& report) {
     Plot plot;
     plot.name = fmt::format("errors-{}-{}", key, unit);
-    plot.title = fmt::format("Errors over {}, bias kept in {}", key, unit);
-    plot.x_label = fmt::format("{} (bits)", key);
+    plot.title = fmt::format("Errors over {}, bias kept in {}", words_of(key), words_of(unit));
+    plot.x_label = words_of(key);
     plot.y_label = "rate (%)";
     for (const char* lookup : {"nearest", "bilinear"}) {
         const Rows some = where(rows, {{"varies", key}, {"lookup", lookup}, {"bias_unit", unit}});
@@ -56,28 +77,26 @@ void plot_width(std::span<const Row> rows, const char* key, const char* unit, Re
             curve(fmt::format("false light, {}", lookup), some, key, "false_light", 100));
     }
     if (!plot.series.empty())
-        report.plot(plot, fmt::format("The other widths stay the scene's; the bias is the same in "
-                                      "{} for all.",
-                                      std::string_view(unit) == "world" ? "world units" : unit));
+        report.plot(plot, fmt::format("The other widths are the scene's; the bias is the same in "
+                                      "{} for all.", words_of(unit)));
 }
 
-void tell_roundings(std::span<const Row> rows, Report& report) {
-    std::vector<std::vector<std::string>> table{{"stage", "rounding", "lookup", "false shadow",
-                                                 "false light", "outside the band: false shadow",
-                                                 "false light"}};
+void table_roundings(std::span<const Row> rows, Report& report) {
+    TableCells table{{"what is rounded", "rounding", "lookup", "false shadow", "false light",
+                      "outside the edge band: false shadow", "false light"}};
     for (const char* key : rounding_keys)
         for (const Row& row : where(rows, {{"varies", key}}))
-            table.push_back({key, row.text(key), row.text("lookup"), rate(row, "false_shadow"),
-                             rate(row, "false_light"), rate(row, "false_shadow_outside"),
-                             rate(row, "false_light_outside")});
-    if (table.size() > 1)
-        report.table(table, "Each rounding in place of the scene's own, a stage at a time: of a "
-                            "matrix word, of a product (the accumulator being 22 bits "
-                            "wide, so that there is something to round), of a transformed "
-                            "coordinate, of a drawn sample's Z.");
+            table.push_back({words_of(key), row.text(key), row.text("lookup"),
+                             rate(row, "false_shadow"), rate(row, "false_light"),
+                             rate(row, "false_shadow_outside"), rate(row, "false_light_outside")});
+    if (table.size() == 1) return;
+    report.heading("Roundings");
+    report.table(table, "Each rounding in place of the scene's own, one stage at a time. For the "
+                        "product the accumulator has 22 bits, so that there is something to "
+                        "round.");
 }
 
-// Y slowest: Z bits up, X/Y bits across.
+// Bits of X and Y go across, bits of Z go up.
 void map_errors(std::span<const Row> rows, const char* unit, const char* column,
                 const char* title, Report& report) {
     const Rows some = where(rows, {{"varies", "xy_bits and z_bits"}, {"bias_unit", unit}});
@@ -88,7 +107,7 @@ void map_errors(std::span<const Row> rows, const char* unit, const char* column,
     }
     if (across.size() < 2 || up.size() < 2) return;
     HeatMap map{fmt::format("map-{}-{}", column, unit), fmt::format("{}, bias kept in {}", title,
-                unit), "X and Y (bits)", "Z (bits)", "rate (%)", {}, {}, {}};
+                words_of(unit)), "bits of X and Y", "bits of Z", "rate (%)", {}, {}, {}};
     for (const int xy : across) map.x_ticks.push_back(std::to_string(xy));
     for (const int z : up) {
         map.y_ticks.push_back(std::to_string(z));
@@ -106,11 +125,10 @@ void map_errors(std::span<const Row> rows, const char* unit, const char* column,
                                                                        : "part of its texel"));
 }
 
-// What the least step from the scene's own value does, for each width.
-void tell_steps(std::span<const Row> rows, Report& report) {
-    std::vector<std::vector<std::string>> table{
-        {"width", "lookup", "from", "to", "false shadow", "changes by", "false light",
-         "changes by"}};
+// What each step of a width changes.
+void table_steps(std::span<const Row> rows, Report& report) {
+    TableCells table{{"width", "lookup", "from", "to", "false shadow", "changes by", "false light",
+                      "changes by"}};
     for (const char* key : bit_keys)
         for (const char* lookup : {"nearest", "bilinear"}) {
             Rows some = where(rows, {{"varies", key}, {"lookup", lookup}, {"bias_unit", "world"}});
@@ -119,22 +137,30 @@ void tell_steps(std::span<const Row> rows, Report& report) {
             });
             for (std::size_t k = 1; k < some.size(); ++k) {
                 const auto gain = [&](const char* column) {
-                    return fmt::format("{:+.3f} %", 100 * (some[k].number(column) -
-                                                           some[k - 1].number(column)));
+                    return points(some[k].number(column) - some[k - 1].number(column));
                 };
-                table.push_back({key, lookup, some[k - 1].text(key), some[k].text(key),
+                table.push_back({words_of(key), lookup, some[k - 1].text(key), some[k].text(key),
                                  rate(some[k], "false_shadow"), gain("false_shadow"),
                                  rate(some[k], "false_light"), gain("false_light")});
             }
         }
-    report.table(table, "What each step of a width buys, the bias the same in world units.");
+    report.heading("Every step of every width");
+    report.table(table, "The rates with the wider of two widths, and by how much they differ from "
+                        "those with the narrower. The bias is the same in world units.");
+    // Of the paper's scene with 1 fraction bit: false shadow 7.1 % with the light at azimuth -100,
+    // 43.8 % at +100; with 7, 23.9 % and 23.4 %.
+    report.paragraph(
+        "A step that loses bits may lower false shadow, and is no gain. With nearest lookup X and "
+        "Y are rounded half up to f fraction bits and then cut to a texel, so that the lookup is "
+        "half of 2^-f texel too far to one side. A light from one side turns this into less false "
+        "shadow and more false light, a light from the other side into the reverse.");
 }
 
 // Williams 1978, p. 273: the nine bits of X and Y, not the sixteen of Z, are the problem.
-void tell_paper(std::span<const Row> rows, Report& report) {
+void answer_paper(std::span<const Row> rows, Report& report) {
     auto& json = report.summary()["xy_against_z"];
     for (const char* lookup : {"nearest", "bilinear"}) {
-        // NaN where the study has not both ends.
+        // NaN if the study has not both ends.
         const auto differs = [&](const char* key, double min, double max) {
             double low = std::nan(""), high = std::nan("");
             for (const Row& row :
@@ -147,19 +173,18 @@ void tell_paper(std::span<const Row> rows, Report& report) {
         const double by_xy = differs("xy_bits", 8, 9), by_z = differs("z_bits", 12, 16);
         if (std::isnan(by_xy) || std::isnan(by_z)) continue;
         json[lookup] = {{"xy_8_to_9", by_xy}, {"z_12_to_16", by_z}};
-        report.paragraph(fmt::format(
-            "{} lookup, the bias kept in world units: between 8 and 9 bits of X and Y false shadow "
-            "differs by {:.3f} % of the lit pixels, between 12 and 16 bits of Z by {:.3f} %. "
-            "One bit of X and Y weighs {} "
-            "than four of Z.",
-            lookup, 100 * by_xy, 100 * by_z, by_xy > by_z ? "more" : "less"));
+        report.answer(fmt::format(
+            "With {} lookup, one bit of X and Y matters {} than four bits of Z: between 8 and 9 "
+            "bits of X and Y false shadow changes by {:.2f} points, between 12 and 16 bits of Z "
+            "by {:.2f}. The bias is the same in world units.",
+            lookup, by_xy > by_z ? "more" : "less", 100 * by_xy, 100 * by_z));
     }
 }
 
-// With n pixels a side, from the scene's own number upward if there are two: what grows as which
-// power of n, and what halving an error costs.
-void tell_growth(const Request& request, std::span<const Row> rows, const char* lookup,
-                 Report& report) {
+// n pixels a side, from the scene's own number upward if there are two: the power of n with which
+// a column grows, and what halving an error costs in memory, which grows as n^2.
+void add_growth(const Request& request, std::span<const Row> rows, const char* lookup,
+                TableCells& table, Report& report) {
     for (const char* unit : {"world", "texels"}) {
         const Rows all =
             where(rows, {{"varies", "xy_bits"}, {"lookup", lookup}, {"bias_unit", unit}});
@@ -170,42 +195,38 @@ void tell_growth(const Request& request, std::span<const Row> rows, const char* 
         if (some.size() < 2) some = all;
         if (some.size() < 2) continue;
         auto& json = report.summary()["grows_with_pixels_a_side_to_the"][lookup][unit];
-        std::string words, price;
         for (const char* column : {"light_map_bytes", "drawing_cycles", "transformation_cycles",
                                    "false_shadow", "false_light"}) {
             const double power = growth_per_doubling(some, column);
             json[column] = power;
             if (!std::isfinite(power)) continue;
-            words += fmt::format("{}{} {:.2f}", words.empty() ? "" : ", ", column, power);
-            if (power < -0.1)
-                price += fmt::format("; half the {} costs {:.3g} times the memory", column,
-                                     std::pow(2.0, -2 / power));
+            table.push_back({lookup, words_of(unit), some.front().text("xy_bits"),
+                             some.back().text("xy_bits"), words_of(column),
+                             fmt::format("{:.2f}", power),
+                             power < -0.1 ? rounded(std::pow(2.0, -2 / power), 2) + " times"
+                                          : ""});
         }
-        if (!words.empty())
-            report.paragraph(fmt::format(
-                "{} lookup, n pixels a side from {} to {} bits of X and Y, the bias kept in {}: as "
-                "n to the power grow {}{}.", lookup, some.front().text("xy_bits"),
-                some.back().text("xy_bits"), unit, words, price));
     }
 }
 
-void tell_square_law(const Request& request, std::span<const Row> rows, Report& report) {
-    std::vector<std::vector<std::string>> table{{"lookup", "X/Y bits", "false shadow",
-        "false light", "light map, bytes", "drawing, cycles", "transformation, cycles",
-        "host, ms"}};
+void report_square_law(const Request& request, std::span<const Row> rows, Report& report) {
+    report.heading("The square-law expense of lateral resolution");
+    TableCells table{{"lookup", "bits of X and Y", "false shadow", "false light",
+                      "light map, bytes", "drawing, cycles", "transformation, cycles",
+                      "this computer, ms"}};
+    TableCells growth{{"lookup", "bias kept in", "bits of X and Y, from", "to", "what grows",
+                       "as the pixels a side to the power", "memory for half of it"}};
     for (const char* lookup : {"nearest", "bilinear"}) {
         const Rows some =
             where(rows, {{"varies", "xy_bits"}, {"lookup", lookup}, {"bias_unit", "texels"}});
         if (some.empty()) continue;
-        const auto cells = some[0].cells();
-        const bool has_times = std::any_of(
-            cells.begin(), cells.end(), [](const auto& c) { return c.first == "frame_host_ms"; });
+        const bool has_times = some[0].has("frame_host_ms");
         for (const Row& row : some)
             table.push_back({lookup, row.text("xy_bits"), rate(row, "false_shadow"),
                              rate(row, "false_light"), row.text("light_map_bytes"),
                              row.text("drawing_cycles"), row.text("transformation_cycles"),
-                             has_times ? fmt::format("{:.1f}", row.number("frame_host_ms")) : ""});
-        tell_growth(request, rows, lookup, report);
+                             has_times ? rounded(row.number("frame_host_ms"), 2) : ""});
+        add_growth(request, rows, lookup, growth, report);
         Plot plot;
         plot.name = fmt::format("square-law-{}", lookup);
         plot.title = fmt::format("What lateral resolution buys, {} lookup", lookup);
@@ -213,21 +234,25 @@ void tell_square_law(const Request& request, std::span<const Row> rows, Report& 
         plot.y_label = "rate (%)";
         plot.log_x = true;
         for (const char* column : {"false_shadow", "false_light", "false_shadow_outside"})
-            plot.series.push_back(curve(column, some, "light_map_bytes", column, 100));
-        report.plot(plot, "Every doubling of the sides is four times the memory, a point on each "
-                          "line, and four times the transformation's cycles; the bias is half a "
-                          "texel of each map. The edge band is a texel wide: a coarser map's "
-                          "leaves more of the error out.");
+            plot.series.push_back(
+                curve(words_of(column), some, "light_map_bytes", column, 100));
+        report.plot(plot, "From each point of a line to the next the sides double, which is four "
+                          "times the memory and four times the transformation's cycles. The bias "
+                          "is half a texel of each map. The edge band is a texel wide, so that of "
+                          "a coarser map leaves more of the error out.");
     }
     if (table.size() > 1)
-        report.table(table, "The square-law expense of lateral resolution (Williams 1978, p. 273): "
-                            "X and Y of both frame stores, the bias half a texel of each map. "
-                            "Errors are of the picture's own pixels; cycles with the units side "
-                            "by side.");
+        report.table(table, "Both frame stores have the bits of X and Y (Williams 1978, p. 273); "
+                            "the bias is half a texel of each map. Errors are of the picture's "
+                            "own pixels; cycles are those of units that work side by side.");
+    if (growth.size() > 1)
+        report.table(growth, "The powers are a least-squares fit of logarithms. The last column is "
+                             "the factor in memory, which grows as the square, that halves the "
+                             "error.");
 }
 
-// The fewest bits that move no rate by a thousandth.
-void tell_accumulator(std::span<const Row> rows, Report& report) {
+// The fewest bits that change no rate by a tenth of a percentage point.
+void answer_accumulator(std::span<const Row> rows, Report& report) {
     for (const char* lookup : {"nearest", "bilinear"}) {
         Rows some = where(rows, {{"varies", "accumulator_bits"}, {"lookup", lookup}});
         std::stable_sort(some.begin(), some.end(), [](const Row& a, const Row& b) {
@@ -246,13 +271,13 @@ void tell_accumulator(std::span<const Row> rows, Report& report) {
             return std::abs(moved(row, "false_shadow")) >= 0.001 ||
                    std::abs(moved(row, "false_light")) >= 0.001;
         }) - 1;
-        report.paragraph(fmt::format(
-            "{} lookup: an accumulator that holds four products exactly has {} bits; with {} no "
-            "rate moves by a tenth of a point; with {} false shadow moves by {:+.2f} % and "
-            "false light by {:+.2f} %.",
-            lookup, exact.text("built_accumulator_bits"), enough->text("built_accumulator_bits"),
-            some.back().text("built_accumulator_bits"), 100 * moved(some.back(), "false_shadow"),
-            100 * moved(some.back(), "false_light")));
+        report.answer(fmt::format(
+            "With {} lookup the accumulator needs {} of its {} bits: with {} no rate changes by a "
+            "tenth of a point. With {}, false shadow changes by {} and false light by {}.",
+            lookup, enough->text("built_accumulator_bits"), exact.text("built_accumulator_bits"),
+            enough->text("built_accumulator_bits"), some.back().text("built_accumulator_bits"),
+            points(moved(some.back(), "false_shadow")),
+            points(moved(some.back(), "false_light"))));
     }
 }
 
@@ -269,24 +294,22 @@ double growth_per_doubling(std::span<const Row> rows, const char* column) {
 }
 
 void report_widths(const Request& request, std::span<const Row> rows, Report& report) {
-    tell_paper(rows, report);
-    tell_accumulator(rows, report);
-    tell_square_law(request, rows, report);
-    for (const char* key : bit_keys) plot_width(rows, key, "world", report);
+    answer_paper(rows, report);
+    answer_accumulator(rows, report);
+    plot_width(rows, "xy_bits", "world", report);
+    plot_width(rows, "z_bits", "world", report);
+    report.heading("The other widths");
+    for (const char* key : {"coefficient_bits", "accumulator_bits", "fraction_bits"})
+        plot_width(rows, key, "world", report);
     plot_width(rows, "xy_bits", "texels", report);
+    report_square_law(request, rows, report);
+    report.heading("X and Y against Z");
     for (const char* unit : {"world", "texels"}) {
         map_errors(rows, unit, "false_shadow", "False shadow", report);
         map_errors(rows, unit, "false_light", "False light", report);
     }
-    tell_steps(rows, report);
-    // Of the paper's scene at f = 1: false shadow 7.1 % with the light at azimuth -100, 43.8 % at
-    // +100; at f = 7, 23.9 % and 23.4 %.
-    report.paragraph(
-        "A step that loses bits may lower false shadow, and is no gain: with nearest lookup X and "
-        "Y rounded half up to f fraction bits, and then cut to a texel, look half of 2^-f texel "
-        "too far to one side, which a light from one side turns into less false shadow and more "
-        "false light, and from the other into the reverse.");
-    tell_roundings(rows, report);
+    table_steps(rows, report);
+    table_roundings(rows, report);
 }
 
 }  // namespace umbra78::tools::study

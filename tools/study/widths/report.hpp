@@ -1,4 +1,4 @@
-// What the widths study's rows say: plots over each width, heat maps, and what the bits buy.
+// The page of the widths study: what each width buys, with plots and heat maps.
 #pragma once
 
 #include "tools/study/study.hpp"
@@ -7,8 +7,9 @@ namespace umbra78::tools::study {
 
 void report_widths(const Request&, std::span<const Row>, Report&);
 
-// The power of 2^bits that a column grows as, by least squares of logarithms: 2 for what follows
-// the square law of lateral resolution. NaN from fewer than two widths where it is not 0.
+// The power of 2^xy_bits with which a column grows, by least squares of logarithms: 2 for what
+// follows the square law of lateral resolution. Rows in which the column is not positive are left
+// out; NaN if fewer than two widths remain.
 double growth_per_doubling(std::span<const Row>, const char* column);
 
 }  // namespace umbra78::tools::study

@@ -1,10 +1,12 @@
 // umbra78 study widths: which width buys what?
 //
-// One width or rounding at a time, from the scene's values (1978's in the paper's scene), and X/Y
-// against Z on a grid. The bias is half a texel of the scene's own light map, figure 3's, kept in
-// world units: then every machine is asked for the same gap, and a coarser map shows all of its
-// error. Where X and Y vary it is also kept in texels, which grows with them.
+// One width or rounding is varied at a time from the scene's values, which are 1978's in the
+// paper's scene, and X/Y against Z on a grid. The bias is half a texel of the scene's own light
+// map, as in figure 3, kept in world units: every machine then has the same gap, and a coarser map
+// shows all of its error. Where X and Y vary the bias is also kept in texels, which grow with them.
+#include "tools/study/grid.hpp"
 #include "tools/study/measures.hpp"
+#include "tools/study/report_sections.hpp"
 #include "tools/study/widths/report.hpp"
 
 #include <fmt/format.h>
@@ -18,13 +20,13 @@ namespace {
 
 using Values = std::vector<std::string>;
 
-// One at a time, in a sweep of its own.
+// The keys that are varied one at a time, each in a sweep of its own.
 constexpr std::array<std::string_view, 9> swept_keys{
     "xy_bits",          "z_bits",           "coefficient_bits",   "accumulator_bits",
     "fraction_bits",    "coefficient_rounding", "product_rounding", "transform_rounding",
     "depth_rounding"};
-// What the report tells apart.
-constexpr std::array<std::string_view, 11> told_keys{
+// The keys that the report distinguishes.
+constexpr std::array<std::string_view, 11> report_keys{
     "xy_bits",          "z_bits",           "coefficient_bits",   "accumulator_bits",
     "fraction_bits",    "coefficient_rounding", "product_rounding", "transform_rounding",
     "depth_rounding",   "lookup",           "bias_unit"};
@@ -36,9 +38,10 @@ public:
         return "Which width buys what: X, Y, Z, matrix, accumulator, fraction; and each rounding";
     }
     std::vector<Case> cases(const Request&) const override;
-    Row run(const Request&, const Case&) const override;
+    Row run(const Request&, const Case&, const LoadedScene*) const override;
+    std::vector<ColumnMeaning> columns() const override;
     void report(const Request& request, std::span<const Row> all, Report& to) const override {
-        for_combinations(request, told_keys, all, to, [&](std::span<const Row> rows, Report& some) {
+        write_sections(request, report_keys, all, to, [&](std::span<const Row> rows, Report& some) {
             report_widths(request, rows, some);
         });
     }
@@ -115,8 +118,8 @@ std::vector<Case> WidthsStudy::cases(const Request& request) const {
     return all;
 }
 
-Row WidthsStudy::run(const Request& request, const Case& c) const {
-    const LoadedScene scene = scene_of(request, c);
+Row WidthsStudy::run(const Request&, const Case&, const LoadedScene* drawn) const {
+    const LoadedScene& scene = *drawn;
     const auto traced = truths_.needed(scene);
     RenderJob job(scene.view(), scene.settings);
     draw_mask(job);
@@ -141,6 +144,21 @@ Row WidthsStudy::run(const Request& request, const Case& c) const {
     row.set("transformation_cycles", whole(ledger.transformation(true)));
     row.set("frame_host_ms", job.times().total_ms());
     return row;
+}
+
+std::vector<ColumnMeaning> WidthsStudy::columns() const {
+    std::vector<ColumnMeaning> all(std::begin(rate_columns), std::end(rate_columns));
+    for (const ColumnMeaning& own : std::initializer_list<ColumnMeaning>{
+             {"varies", "the key that the case's sweep varies"},
+             {"bias_*", "the bias in quanta of the light's Z, light texels, world units"},
+             {"word_bits", "width of a coordinate's word"},
+             {"built_accumulator_bits", "width of the accumulator that the other widths give"},
+             {"light_map_bytes", "memory of the light's Z, z_bits a texel"},
+             {"drawing_cycles", "cycles of drawing both views, simulated"},
+             {"transformation_cycles", "cycles of the post-process's transformation, simulated"},
+             {"frame_host_ms", "this computer's time for the frame, ms"}})
+        all.push_back(own);
+    return all;
 }
 
 }  // namespace
