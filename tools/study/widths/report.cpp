@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -156,28 +157,46 @@ void table_steps(std::span<const Row> rows, Report& report) {
         "shadow and more false light, a light from the other side into the reverse.");
 }
 
+// How false shadow changes from one width of a sweep to another.
+struct Change {
+    std::string from, to;  // the widths
+    double points = 0;     // of a rate 0 .. 1
+};
+
+// Between the given widths, or where the sweep has not both, between its two widest; nothing if it
+// has fewer than two.
+std::optional<Change> change_of(std::span<const Row> all, const char* key, const char* lookup,
+                                const char* from, const char* to) {
+    Rows rows = where(all, {{"varies", key}, {"lookup", lookup}, {"bias_unit", "world"}});
+    std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
+        return a.number(key) < b.number(key);
+    });
+    if (rows.size() < 2) return std::nullopt;
+    const Row *low = nullptr, *high = nullptr;
+    for (const Row& row : rows) {
+        if (row.text(key) == from) low = &row;
+        if (row.text(key) == to) high = &row;
+    }
+    if (low == nullptr || high == nullptr) low = &rows[rows.size() - 2], high = &rows.back();
+    return Change{low->text(key), high->text(key),
+                  std::abs(high->number("false_shadow") - low->number("false_shadow"))};
+}
+
 // Williams 1978, p. 273: the nine bits of X and Y, not the sixteen of Z, are the problem.
 void answer_paper(std::span<const Row> rows, Report& report) {
     auto& json = report.summary()["xy_against_z"];
     for (const char* lookup : {"nearest", "bilinear"}) {
-        // NaN if the study has not both ends.
-        const auto differs = [&](const char* key, double min, double max) {
-            double low = std::nan(""), high = std::nan("");
-            for (const Row& row :
-                 where(rows, {{"varies", key}, {"lookup", lookup}, {"bias_unit", "world"}})) {
-                if (row.number(key) == min) low = row.number("false_shadow");
-                if (row.number(key) == max) high = row.number("false_shadow");
-            }
-            return std::abs(high - low);
-        };
-        const double by_xy = differs("xy_bits", 8, 9), by_z = differs("z_bits", 12, 16);
-        if (std::isnan(by_xy) || std::isnan(by_z)) continue;
-        json[lookup] = {{"xy_8_to_9", by_xy}, {"z_12_to_16", by_z}};
+        const auto xy = change_of(rows, "xy_bits", lookup, "8", "9"),
+                   z = change_of(rows, "z_bits", lookup, "12", "16");
+        if (!xy || !z) continue;
+        json[lookup] = {{fmt::format("xy_{}_to_{}", xy->from, xy->to), xy->points},
+                        {fmt::format("z_{}_to_{}", z->from, z->to), z->points}};
         report.answer(fmt::format(
-            "With {} lookup, one bit of X and Y matters {} than four bits of Z: between 8 and 9 "
-            "bits of X and Y false shadow changes by {:.2f} points, between 12 and 16 bits of Z "
-            "by {:.2f}. The bias is the same in world units.",
-            lookup, by_xy > by_z ? "more" : "less", 100 * by_xy, 100 * by_z));
+            "With {} lookup and the bias kept in world units, false shadow changes by {:.2f} "
+            "points between {} and {} bits of X and Y, and by {:.2f} between {} and {} bits of Z: "
+            "X and Y matter {}.",
+            lookup, 100 * xy->points, xy->from, xy->to, 100 * z->points, z->from, z->to,
+            xy->points > z->points ? "more" : "less"));
     }
 }
 
