@@ -122,7 +122,8 @@ std::string ReportPage::page(const std::string& title) const {
     std::string answers;
     for (const std::string& text : answers_) answers += fmt::format("<p>{}</p>\n", escaped(text));
     if (answers_.empty())
-        answers = "<p>These cases do not answer the study's question; their figures are below.</p>\n";
+        answers = "<p>These cases do not answer the study's question. Their figures are below."
+                  "</p>\n";
     return fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
                        "<title>{0}</title><style>{1}</style></head>\n<body><h1>{0}</h1>\n"
                        "<section><h2>The answer</h2>\n{2}</section>\n{3}</body></html>\n",

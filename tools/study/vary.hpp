@@ -5,10 +5,9 @@
 
 namespace umbra78::tools::study {
 
-// A range is computed in decimal arithmetic, exactly, and holds both ends: "bias=0:1:0.25" is 0,
-// 0.25, 0.5, 0.75, 1. Its numbers have up to 12 decimals and no exponent; it has up to 100 000
-// values. In a list commas between brackets belong to the value: "light.target=[0,0,0],[0,1,0]".
-// Throws SceneError, one line with the remedy.
+// A range is exact and holds both ends (tools/scene/decimal_range.hpp): "bias=0:1:0.25" is 0, 0.25,
+// 0.5, 0.75, 1. In a list commas between brackets belong to the value:
+// "light.target=[0,0,0],[0,1,0]". Throws SceneError, one line with the remedy.
 GridKey parse_vary(const std::string& text);
 
 // Checks that the scene takes each value, with the first values of the other keys: a perspective

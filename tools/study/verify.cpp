@@ -29,8 +29,8 @@ ordered_json read_summary(const Path& path) {
         json.at("inputs");
         return json;
     } catch (const nlohmann::json::exception&) {
-        throw std::runtime_error(fmt::format("{}: it is not a summary of a study; keep the one that "
-                                             "umbra78 study wrote", path.string()));
+        throw std::runtime_error(fmt::format("{}: it is not a summary of a study; keep the one "
+                                             "that umbra78 study wrote", path.string()));
     }
 }
 

@@ -82,8 +82,8 @@ TEST(Traced, KnowsAPlanesSlopeInTheLightsSpace) {
     }
 }
 
-// On a plane the bound is exact: with a bias of the bound no pixel is in false shadow, and the least
-// bias that clears 99.9 % of the pixels is nearly as large.
+// On a plane the bound is exact: with a bias of the bound no pixel is in false shadow, and the
+// least bias that clears 99.9 % of the pixels is nearly as large.
 TEST(LeastBias, OfAPlaneIsItsBound) {
     const Request request = plane_lit_aslant();
     const TruthCache truths;
@@ -152,7 +152,7 @@ TEST(BiasStudy, RunsASweepAndASearch) {
     // 65536 quanta in 4 world units, 128 texels in 4.
     EXPECT_NEAR(search.number("bias_quanta") / search.number("bias_world"), 16384, 1e-6);
     EXPECT_NEAR(search.number("bias_quanta") / search.number("bias_texels"), 512, 1e-6);
-    EXPECT_GE(search.number("gap_world"), 0);
+    EXPECT_DOUBLE_EQ(search.number("gap_quanta"), search.number("gap_world") * 16384);
 
     request.automatic = true;
     const auto own = study->cases(request);

@@ -8,6 +8,7 @@
 #include "tools/study/grid.hpp"
 #include "tools/study/inputs.hpp"
 #include "tools/study/report_sections.hpp"
+#include "tools/study/runner.hpp"
 #include "tools/study/vary.hpp"
 
 #include <fmt/format.h>
@@ -256,6 +257,39 @@ TEST(ReportSections, OneForEachCombination) {
     write_sections(request, own, rows, whole, write);
     EXPECT_EQ(whole.text, "! yes\n# head\np: Title\n");
     EXPECT_EQ(whole.json["rows"], 3);
+}
+
+// Its one case draws the paper's scene with 8 bits of Z, whatever the request says.
+struct OneCase final : Study {
+    mutable int parsed = 0;
+    std::string_view name() const override { return "one"; }
+    std::string_view meaning() const override { return "one case"; }
+    std::vector<Case> cases(const Request&) const override { return {{"it", {}, {}}}; }
+    std::optional<LoadedScene> scene(const Request& request, const Case&) const override {
+        ++parsed;
+        return scene_of(request, {"", {"z_bits=8"}, {}});
+    }
+    Row run(const Request&, const Case&, const LoadedScene* drawn) const override {
+        Row row;
+        row.set("drawn_bits", std::int64_t{drawn->settings.machine.z_bits});
+        return row;
+    }
+    void report(const Request&, std::span<const Row>, Report&) const override {}
+    std::vector<ColumnMeaning> columns() const override { return {{"drawn_*", "bits of Z"}}; }
+};
+
+TEST(RunCase, ParsesTheSceneOnceAndItsRowHasTheSettingsOfWhatIsDrawn) {
+    const OneCase study;
+    const Asked asked = ask(study, {});
+    const Row row = run_case(asked, 3, asked.cases.front());
+    EXPECT_EQ(study.parsed, 1);
+    EXPECT_EQ(row.text("status"), "ok");
+    EXPECT_EQ(row.number("case"), 3);
+    EXPECT_EQ(row.number("drawn_bits"), 8);
+    EXPECT_EQ(row.number("z_bits"), 8);
+    EXPECT_EQ(meaning_of("drawn_bits", study), "bits of Z");
+    EXPECT_EQ(meaning_of("z_bits", study), "a setting: see umbra78 settings");
+    EXPECT_EQ(meaning_of("drawn", study), std::nullopt);
 }
 
 // The same scene under another path is the same study: its shards belong together.

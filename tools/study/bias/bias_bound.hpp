@@ -10,8 +10,8 @@
 //   nearest    bias >= T (1 + d)(|zu| + |zv|)/2 + q
 //   bilinear   bias >= T d (|zu| + |zv|)/2 + q        a plane is interpolated exactly
 //
-// The bound leaves out curvature, the fraction bits of X and Y, the rounding of the matrix, and leaf
-// sampling.
+// The bound leaves out curvature, the fraction bits of X and Y, the rounding of the matrix, and
+// leaf sampling.
 #pragma once
 
 #include "shadow/frame/settings.hpp"

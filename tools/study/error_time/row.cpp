@@ -78,7 +78,8 @@ void set_cycles(Row& row, const std::string& prefix, const RenderJob& job) {
     set("transformation", ledger.transformation(true));
 }
 
-// A profile changes no bit of the picture except by the coefficients' width, which stays the case's.
+// A profile changes no bit of the picture except by the coefficients' width, and that stays the
+// case's.
 void set_profiles(Row& row, RenderJob& job) {
     const shadow::Settings settings = job.settings();
     for (const shadow::Profile& profile : shadow::profiles()) {

@@ -53,14 +53,13 @@ void table_plane(std::span<const Row> rows, Report& report) {
                              row.text("harmonic_k").empty()
                                  ? "" : row.text("harmonic_k") + ", " + row.text("harmonic_l"),
                              verdict(row)});
-    report.table(table, "The slanted plane, the middle quarter of the picture. White noise peaks at "
-                        "about ln(cells) times the mean, 11 for 256 x 256. p is the probability of "
-                        "so high a line in white noise (Fisher's g): a pattern has less than 0.001. "
-                        "Anisotropy is the maximum of any ring of the spectrum; the mean of white "
-                        "noise is -10 log10 K for K segments. The beat is that of the observer's "
-                        "pixels with the steeper axis of the light's texels; (k, l) is the harmonic "
-                        "of the two grids at the measured peak, 0, 0 if there is none up to order "
-                        "5.");
+    report.table(table,
+        "The slanted plane, the middle quarter of the picture. White noise peaks at about "
+        "ln(cells) times the mean, 11 for 256 x 256. p is the probability of so high a line in "
+        "white noise (Fisher's g): a pattern has less than 0.001. Anisotropy is the maximum of any "
+        "ring of the spectrum; the mean of white noise is -10 log10 K for K segments. The beat is "
+        "that of the observer's pixels with the steeper axis of the light's texels; (k, l) is the "
+        "harmonic of the two grids at the measured peak, 0, 0 if there is none up to order 5.");
 }
 
 void plot_sizes(std::span<const Row> rows, const char* ground, const char* column,

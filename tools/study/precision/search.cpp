@@ -17,8 +17,8 @@ public:
         z = (z ^ z >> 27) * 0x94d049bb133111eb;
         return z ^ z >> 31;
     }
-    // A word of random length; every length is as likely as any other. One draw in eight is within 3
-    // of an end of the range.
+    // A word of random length; every length is as likely as any other. One draw in eight is within
+    // 3 of an end of the range.
     std::int64_t word(int width) {
         const std::uint64_t draw = bits();
         if (draw % 8 == 0) {
@@ -65,8 +65,8 @@ public:
         }
     }
 
-    // From a random input: a step flips a bit of a word, adds one or subtracts one, and is kept unless
-    // the error falls.
+    // From a random input: a step flips a bit of a word, adds one or subtracts one, and is kept
+    // unless the error falls.
     void climb(Random& random, int steps) {
         Input best = drawn(random);
         double error = at(best);

@@ -45,9 +45,10 @@ bool inner(const Truth& t, std::size_t at) {
     return true;
 }
 
-// The drawn Z against truth, over pixels whose neighbours are on the same surface. Pixels that truth
-// sees there and the machine did not draw are lost, except those whose code is beyond the last one:
-// the machine drops them (hw/MACHINE.md, section 7), and the status becomes beyond_last_code.
+// The drawn Z against truth, over pixels whose neighbours are on the same surface. Pixels that
+// truth sees there and the machine did not draw are lost, except those whose code is beyond the
+// last one: the machine drops them (hw/MACHINE.md, section 7), and the status becomes
+// beyond_last_code.
 void measure_depths(const RenderJob& job, const SceneTruth& truth, bool far_half, Finding& f) {
     const hw::MachineSpec& m = job.settings().machine;
     const Buffer buffer = job.buffer(Plane::observer_z);
@@ -130,8 +131,8 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     }
     const bool words = t.sound && t.over_bound <= 1, ends = *f.splits <= c.max_splits;
     const bool sane = sane_mask(job);
-    // Blocks beyond the last level of subdivision are dropped and counted: then pixels may be missing,
-    // and the status says so.
+    // Blocks beyond the last level of subdivision are dropped and counted: then pixels may be
+    // missing, and the status says so.
     if (*f.unresolved > 0) f.status = "unresolved";
     const bool whole = f.lost.value_or(0) == 0 || *f.unresolved > 0;
     const bool named = f.status != "unresolved" || c.status == f.status;

@@ -68,25 +68,25 @@ std::vector<FrameCase> surfaces() {
     };
     add("patch: a point", "nothing drawn, no division by its area",
         view + floor + patch(net(0, 0, stay)));
-    add("patch: a line", "nothing drawn but the slack's width of it",
+    add("patch: a line", "at most the drawing slack's width of it is drawn",
         view + floor + patch(net(1, 0, [](auto& p, double u, double) { p[1] = u; })));
-    add("patch: one edge a point", "a triangle; its normal there comes from the other end",
+    add("patch: one edge a point", "a triangle; the normal at the point is the other edge's",
         view + floor + patch(net(1, 0, [](auto& p, double, double v) { p[0] *= 1 - v; })));
     add("patch: folded in two", "both leaves drawn, the nearer seen",
         view + floor + patch(net(1, 0, [](auto& p, double u, double) {
             p[0] = u * (1 - u) * 4;
             p[2] = u;
         })));
-    add("patch: crossing control net", "a surface through itself",
+    add("patch: crossing control net", "a surface that intersects itself",
         view + floor + patch(net(1, 0, [](auto& p, double u, double v) {
             p[0] *= 3 * (v - 0.5);
             p[2] = u;
         })));
     add("patch: crumpled", "folds over folds", view + floor + patch(crumpled(1.5, 0, 1)));
-    add("patch: a thousand screens wide", "only what is in the frame is split to its end",
+    add("patch: a thousand screens wide", "only parts inside the frame are split to pixels",
         view + patch(net(4000, -1, [](auto& p, double u, double v) { p[2] += u * v; })),
         {"light.near=-40", "light.far=40"});
-    add("patch: a thousandth of a pixel", "at most a pixel by the slack, one block",
+    add("patch: a thousandth of a pixel", "one block, at most a pixel",
         view + floor + patch(net(0.000015, 0.5, stay)));
     add("scene at the words' end", "16-bit object words of 2^-0 unit", view +
         "[[sphere]]\ncentre = [32000, 0, 0]\nradius = 700\n",
@@ -111,7 +111,7 @@ std::vector<FrameCase> surfaces() {
     all.back().status = "refused: case: the observer's matrix";
     all.push_back({"empty scene", "extreme", "refused by name, or an empty frame", view, {},
                    "", 0});
-    add("only background", "nothing transformed, nothing in shadow",
+    add("only background", "no pixel transformed, none in shadow",
         view + std::string(ball), {"observer.target=[100, 0, 0]"}, 2000);
     return all;
 }
@@ -128,15 +128,15 @@ std::vector<FrameCase> through_the_eye() {
         view + "[[sphere]]\ncentre = [0, 0, 20]\nradius = 2\n", {}, 200);
     add("a floor through the eye's plane", "cut at the near plane",
         view + "[[plane]]\norigin = [-20, -1, 20]\nu = [40, 0, 0]\nv = [0, 0, -40]\n");
-    add("a floor that ends just before the eye", "not split to slivers a thousand frames away",
+    add("a floor that ends just before the eye", "its parts far outside the frame are not split",
         view + "[[plane]]\norigin = [-20, -1, 4.998046875]\nu = [40, 0, 0]\nv = [0, 0, -30]\n");
     add("a wall through the eye", "seen edge-on, W from negative to positive",
         view + "[[plane]]\norigin = [0, -20, 20]\nu = [0, 40, 0]\nv = [0, 0, -40]\n");
     add("the eye in a sphere's skin", "W is 0 on the surface itself",
         view + "[[sphere]]\ncentre = [0, 0, 4]\nradius = 1\n");
-    add("a crumpled patch round the eye", "ends, though W is 0 all over it",
+    add("a crumpled patch round the eye", "ends, although W is 0 in many places",
         view + patch(crumpled(1, 5, 3)), {}, 200000);
-    add("a large crumpled patch through the eye", "ends, though each fold fills the frame",
+    add("a large crumpled patch through the eye", "ends, although each fold fills the frame",
         view + patch(crumpled(8, 5, 9)), {}, 200000);
     add("a huge crumpled patch through the eye", "ends",
         view + patch(crumpled(40, 5, 27)), {}, 200000);
@@ -160,7 +160,7 @@ std::vector<FrameCase> widths() {
                          std::vector<std::string> set) {
         all.push_back({name, "extreme", must, scene, std::move(set)});
     };
-    add("bias zero", "acne everywhere, but defined", {"bias=0"});
+    add("bias zero", "acne everywhere, but a defined frame", {"bias=0"});
     add("bias negative", "all lit surfaces shadow themselves", {"bias=-1024"});
     add("bias of the whole depth", "nothing in shadow", {"bias=65536"});
     add("the greatest bias", "a bias the Z row cannot hold costs its coefficients, not their sign",

@@ -50,18 +50,18 @@ std::vector<FrameCase> directions() {
     const auto add = [&](std::string_view name, std::string_view must, const std::string& scene) {
         all.push_back({name, "stiff", must, scene});
     };
-    add("opposed: light straight behind", "Z turns round; all seen is in shadow or at its edge",
+    add("opposed: light straight behind", "Z is reversed; all pixels are in shadow or at its edge",
         plain + sun(180, 0));
-    add("opposed: light at 179.99 degrees", "X of the light hangs on the last bits of Z",
+    add("opposed: light at 179.99 degrees", "the light's X depends on the last bits of Z",
         plain + sun(179.99, 0));
-    add("aligned: light in the observer's eye", "the identity; no shadow but acne",
+    add("aligned: light in the observer's eye", "the matrix is the identity; shadow is acne alone",
         plain + sun(0, 0));
     add("aligned: light 2^-16 degree off", "coefficients below a quantum round to 0",
         plain + sun(0.0000152587890625, 0));
-    add("light straight overhead", "a defined frame where azimuth means nothing",
+    add("light straight overhead", "a defined frame, though the azimuth has no meaning",
         both + sun(0, 90));
     add("light straight below", "the floor is seen from its unlit side", both + sun(0, -90));
-    add("observer edge-on to the floor", "a plane of no area draws nothing, or its rim",
+    add("observer edge-on to the floor", "a plane of no area draws nothing or its rim",
         plain + sun(-60, 30));
     const std::pair<std::string_view, double> grazing[] = {
         {"grazing: 10 degrees", 10},          {"grazing: 1 degree", 1},
@@ -69,7 +69,7 @@ std::vector<FrameCase> directions() {
         {"grazing: 2^-14 degree", 0.00006103515625},
     };
     for (const auto& [name, angle] : grazing)
-        add(name, "the floor's Z is known to a texel's length along it", both + sun(-90, angle));
+        add(name, "the floor's Z is exact to a texel's length along it", both + sun(-90, angle));
     return all;
 }
 
@@ -82,11 +82,11 @@ std::vector<FrameCase> proportions() {
     };
     add("light's window 30000 wide", "the scene in less than a texel: nearly rank-deficient",
         both + sun(-60, 30), {"light.extent=30000"});
-    add("light's window a thousandth", "nearly all outside the light's volume, hence lit",
+    add("light's window a thousandth", "nearly all is outside the light's volume and so lit",
         both + sun(-60, 30), {"light.extent=0.002"});
     add("light's depth 60000", "the scene in a few Z codes", both + sun(-60, 30),
         {"light.near=-30000", "light.far=30000"});
-    add("light's depth a thousandth", "Z magnified a thousandfold, most of it outside",
+    add("light's depth a thousandth", "Z magnified a thousandfold, mostly outside the volume",
         both + sun(-60, 30), {"light.near=-0.001", "light.far=0.001"});
     add("observer's window 30000, light's 0.01", "six orders between the views",
         both + sun(-60, 30), {"observer.extent=30000", "light.extent=0.01"});
@@ -98,9 +98,9 @@ std::vector<FrameCase> proportions() {
         {"observer.projection=perspective", "observer.distance=0.8", "observer.extent=30",
          "observer.near=0.05", "observer.far=8"});
     add("light almost in the scene", "a lamp 2^-8 above the sphere", both + lamp(0, 0.50390625, 0));
-    add("lamp in the floor's plane", "the floor is edge-on to it: all grazing",
+    add("lamp in the floor's plane", "the lamp sees the floor edge-on",
         both + lamp(-3, -0.5, 0));
-    add("lamp inside the sphere", "a shell from inside: all else in its shadow",
+    add("lamp inside the sphere", "all outside the sphere is in its shadow",
         both + lamp(0.1, 0.1, 0.1));
     all.push_back(depth_case("far/near 10", 10));
     all.push_back(depth_case("far/near 100", 100));
@@ -120,7 +120,7 @@ std::vector<FrameCase> neighbours() {
     const auto square = [](double z) {
         return fmt::format("[[plane]]\norigin = [-1, -1, {}]\nu = [2, 0, 0]\nv = [0, 2, 0]\n", z);
     };
-    add("two planes a quantum apart", "the nearer is seen; which one shadows is a coin's throw",
+    add("two planes a quantum apart", "the nearer is seen; rounding decides which one shadows",
         view + sun(-30, 20) + square(0) + square(0.00006103515625));
     add("two planes in one place", "the result does not depend on their order",
         view + sun(-30, 20) + square(0) + square(0));
