@@ -144,7 +144,7 @@ void Stability::report(const Request& request, std::span<const Row> rows, Report
                       "error", "bound", "unit"}},
         limits{{"limit", "refused from"}},
         depths{{"far / near", "Z codes for the far half of the depths",
-                "depth error there, world units", "in quanta"}};
+                "maximum depth error, world units", "in quanta"}};
     std::string red;
     std::int64_t failed = 0;
     for (const Row& r : rows) {
@@ -174,7 +174,7 @@ void Stability::report(const Request& request, std::span<const Row> rows, Report
                     "this axis.");
     if (depths.size() > 1)
         report.table(depths, "The cases named far/near: 16 bits of Z, 24-bit coefficients, far = "
-                             "1000 world units. An empty cell means that nothing was drawn there.");
+                             "1000 world units. An empty cell means that nothing was drawn.");
     report.heading("Where the words end");
     report.table(limits, "The magnitude from which on the machine refuses, and the name of its "
                          "refusal.");
