@@ -54,7 +54,7 @@ RenderJob& SharedDraw::draw(const std::string& text, const LoadedScene& scene, i
         kept = shadow::find_reuse(before, job_->inputs());
     }
     const auto stage = [&](auto run) { return timed(runs, [&] { ((*job_).*run)(); }); };
-    if (!kept.light_map) light = stage(&RenderJob::draw_light);
+    if (!kept.light_map[0]) light = stage(&RenderJob::draw_light);
     if (!kept.observer) observer = stage(&RenderJob::draw_observer);
     post_process = stage(&RenderJob::cast_shadows);
     filters = stage(&RenderJob::filter_and_composite);

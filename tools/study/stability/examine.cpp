@@ -110,10 +110,11 @@ std::vector<std::string> overrides(const FrameCase& c, const Effort& effort) {
 void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
-    const shadow::FrameCounts& n = job.counts();
-    f.splits = static_cast<std::int64_t>(n.lights[0].map.splits + n.observer.splits);
-    f.blocks = static_cast<std::int64_t>(n.lights[0].map.blocks + n.observer.blocks);
-    f.unresolved = static_cast<std::int64_t>(n.lights[0].map.unresolved + n.observer.unresolved);
+    const shadow::LightCounts& light = job.counts().lights[0];
+    const raster::DrawCounts& seen_by_eye = job.counts().observer;
+    f.splits = static_cast<std::int64_t>(light.map.splits + seen_by_eye.splits);
+    f.blocks = static_cast<std::int64_t>(light.map.blocks + seen_by_eye.blocks);
+    f.unresolved = static_cast<std::int64_t>(light.map.unresolved + seen_by_eye.unresolved);
     f.cycles = static_cast<std::int64_t>(job.ledger().total(true));
     const TransformError t = transform_error(
         raster::observer_to_light(scene.observer, scene.light, scene.settings.machine,
@@ -141,7 +142,7 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     f.observed = fmt::format(
         "{} pixels drawn, {} in shadow, {} splits, {} blocks, {} dropped; transform {:.3g} of its "
         "bound at {} points, {} refused{}{}{}{}",
-        std::count(seen.begin(), seen.end(), 1), n.post_process.shadowed, *f.splits, *f.blocks,
+        std::count(seen.begin(), seen.end(), 1), light.post_process.shadowed, *f.splits, *f.blocks,
         *f.unresolved, t.over_bound, t.points, t.refused, words ? "" : "; BEYOND THE BOUND",
         ends ? "" : "; TOO MANY SPLITS", sane ? "" : "; A MASK THAT IS NO MASK",
         whole ? "" : fmt::format("; {} PIXELS LOST", *f.lost));
