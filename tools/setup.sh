@@ -39,15 +39,20 @@ want() {
   done
 }
 
-# build FOLDER TARGETS CMAKE-OPTION ...: quiet unless something is wrong.
+# build FOLDER TARGETS CMAKE-OPTION ...: quiet unless something is wrong. A new folder is built with
+# ninja, which keeps all cores busy to the end, or, where that cannot be installed, with make.
 build() {
-  local folder=$root/build/$1 targets=$2 log
+  local folder=$root/build/$1 targets=$2 log generator=""
   shift 2
   mkdir -p "$folder"
   log=$folder/build.log
   echo "building ${folder#"$root"/}"
-  if ! { cmake -S "$root" -B "$folder" "$@" && cmake --build "$folder" --target $targets \
-    -j "$(nproc)"; } >"$log" 2>&1; then
+  if [ ! -e "$folder/CMakeCache.txt" ]; then
+    command -v ninja >/dev/null || (need ninja-build) >/dev/null 2>&1 || true
+    ! command -v ninja >/dev/null || generator="-GNinja"
+  fi
+  if ! { cmake -S "$root" -B "$folder" $generator "$@" &&
+    cmake --build "$folder" --target $targets -j "$(nproc)"; } >"$log" 2>&1; then
     cat "$log" >&2
     echo "the build failed; its output is above and in $log" >&2
     exit 1

@@ -18,20 +18,25 @@ done >"$jobs_file"
 
 # Builds and runs one line of the list; its output stands beside it, `failed` if there is none.
 build_and_run() {
-  local name=$1 program=$scratch/program$1
+  local name=$1 outer=$scratch compiler
   shift
-  if "$@" -std=c++20 -I"$root" tests/support/hash_figures.cpp $sources -o "$program" \
-    >"$scratch/log$name" 2>&1 && "$program" 0 >"$scratch/first$name" 2>>"$scratch/log$name" &&
-    "$program" 219 >"$scratch/second$name" 2>>"$scratch/log$name"; then :; else
-    touch "$scratch/failed$name"
+  compiler="$* -std=c++20 -I$root"
+  scratch=$scratch/$name # this runs in a shell of its own: only its own copy changes
+  mkdir "$scratch"
+  if precompile "$compiler" >"$outer/log$name" 2>&1 &&
+    $compiler $precompiled tests/support/hash_figures.cpp $sources -o "$scratch/program" \
+      >>"$outer/log$name" 2>&1 &&
+    "$scratch/program" 0 >"$outer/first$name" 2>>"$outer/log$name" &&
+    "$scratch/program" 219 >"$outer/second$name" 2>>"$outer/log$name"; then :; else
+    touch "$outer/failed$name"
   fi
-  rm -f "$program"
+  rm -rf "$scratch"
 }
 number=0
 while IFS= read -r line; do
   number=$((number + 1))
+  [ $number -le 2 ] || wait -n || true
   build_and_run $number $line &
-  [ $((number % 2)) -ne 0 ] || wait
 done <"$jobs_file"
 wait
 

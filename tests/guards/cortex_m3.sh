@@ -33,16 +33,15 @@ else
   skip "no arm-none-eabi-g++ and no clang++ for a Cortex-M3"
 fi
 compiler=${compiler//$'\n'/ }
+precompile "$compiler"
 
 forbidden='__aeabi_[fd](add|sub|rsub|mul|div|cmp|2)|__aeabi_(i|ui|l|ul)2[fd]' # soft float
 forbidden="$forbidden|malloc|calloc|realloc|_Znw|_Zna|_Zdl|_Zda"              # the heap
 forbidden="$forbidden|__cxa_(throw|allocate|begin_catch|guard)|__gxx_personality"
 forbidden="$forbidden|printf|fopen|^(sqrt|sin|cos|pow|floor)f?$"
-{
-  for h in $headers; do echo "#include \"$h\""; done
-} >"$scratch/headers.cpp"
+every_header >"$scratch/headers.cpp"
 for source in $sources "$scratch/headers.cpp"; do
-  if ! $compiler -c "$source" -o "$scratch/object.o" 2>"$scratch/log"; then
+  if ! $compiler $precompiled -c "$source" -o "$scratch/object.o" 2>"$scratch/log"; then
     head -20 "$scratch/log"
     fail "$source does not compile for a Cortex-M3"
     continue

@@ -7,21 +7,18 @@ set -eu
 
 words="float double malloc calloc realloc free throw try catch vector string deque unique_ptr
 shared_ptr function stable_sort printf sqrt sin cos tan atan2 pow exp log lround"
-poisoned() {
-  for h in $standard_headers; do echo "#include $h"; done
-  echo "#pragma GCC poison ${words//$'\n'/ }"
-  for f in "$@"; do echo "#include \"$f\""; done
-}
-compile() { "$CXX" -std=c++20 -I"$root" -fsyntax-only "$1"; }
-
-poisoned $headers >"$scratch/headers.cpp"
-compile "$scratch/headers.cpp" || fail "a header of the core uses a poisoned name"
-for source in $sources; do
-  poisoned "$source" >"$scratch/source.cpp"
-  compile "$scratch/source.cpp" || fail "$source uses a poisoned name"
+compiler="$CXX -std=c++20 -I$root"
+precompile "$compiler" $words
+every_header >"$scratch/headers.cpp"
+for source in "$scratch/headers.cpp" $sources; do
+  $compiler $precompiled -fsyntax-only "$source" || fail "$source uses a poisoned name"
 done
 # And the poison works.
-poisoned $headers >"$scratch/control.cpp"
-echo 'inline double control() { return 0; }' >>"$scratch/control.cpp"
-compile "$scratch/control.cpp" 2>"$scratch/log" && fail "the poison does nothing"
+{
+  every_header
+  echo 'inline double control() { return 0; }'
+} >"$scratch/control.cpp"
+$compiler $precompiled -fsyntax-only "$scratch/control.cpp" 2>"$scratch/log" &&
+  fail "the poison does nothing"
+grep -q 'poisoned.*double' "$scratch/log" || fail "the control does not compile for another reason"
 verdict "no poisoned name in $(echo $headers $sources | wc -w) files"

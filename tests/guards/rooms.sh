@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Rooms include only those before them, and the core only headers that bring no heap, no I/O, no
-# clock and no floating point. Nothing allocates, throws or computes in floating point. Files and
-# lines stay short.
+# clock and no floating point. Nothing in it allocates, throws or computes in floating point. Each
+# room says what it is, each folder of tests has its room, and files and lines stay short.
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 
@@ -16,6 +16,8 @@ forbidden="$forbidden|std::(unique_ptr|shared_ptr|stable_sort|inplace_merge)\b"
 grep -v '^ *#' CMakeLists.txt | tr '\n' ' ' | grep -oE 'umbra78_room\([^)]*"[^)]*\)' |
   sed -E 's/umbra78_room\(//; s/"[^"]*"//; s/\)//; s/ +/ /g' >"$scratch/declared"
 [ "$(wc -l <"$scratch/declared")" -ge 20 ] || fail "CMakeLists.txt declares too few rooms"
+grep -oE '^ *umbra78_room\([^ )]+( "[^"]*)?' CMakeLists.txt | grep -vE '"[^"]{20,}' |
+  grep . && fail "CMakeLists.txt: these rooms have no line that says what they are"
 
 # For each room all rooms that it may include: itself, those it names, and theirs. A room is
 # declared after those it names, so no arrow runs back.
@@ -68,22 +70,33 @@ for file in $headers $sources; do
   done < <(grep -nE "$forbidden" "$scratch/text")
 done
 
-# Tests of a room see the rooms it may see, tests/ and nothing of tools/.
+# Tests mirror the rooms, but for those that belong to no single one.
+for folder in $(find tests -mindepth 2 -name '*.?pp' -printf '%h\n' | sort -u); do
+  case $folder in tests/claims | tests/guards | tests/support) continue ;; esac
+  [ -n "${may[${folder#tests/}]:-}" ] || fail "$folder/ tests no room of CMakeLists.txt"
+done
+
+# Tests of a room of the core see the core, tests/ and nothing of tools/.
 for room in $rooms; do
   for file in $(find "tests/$room" -name '*.?pp'); do
     grep -nE '#include "tools/' "$file" && fail "$file: tests of the core must not need tools/"
   done
 done
 
+# Source files, scripts without an ending among them; not the data.
+sources_in() {
+  find "$@" -type f \( -name '*.?pp' -o -name '*.in' -o -name '*.sh' -o -name '*.py' \
+    -o -name '*.gp' -o ! -name '*.*' \) | sort
+}
 short() {
   local limit=$1 file
   shift
-  for file in $(find "$@" -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.sh' \) | sort); do
+  for file in "$@"; do
     [ "$(wc -l <"$file")" -le "$limit" ] || fail "$file has more than $limit lines"
     awk -v f="$file" 'length($0) > 100 {print f ":" FNR ": longer than 100 columns"; bad = 1}
                       END {exit bad}' "$file" || fail "$file has long lines"
   done
 }
-short 350 $rooms tools
-short 450 tests
-verdict "rooms, includes, heap, exceptions, floating point, length"
+short 350 $(sources_in $rooms tools .ci)
+short 450 $(sources_in tests)
+verdict "rooms, includes, heap, exceptions, floating point, tests, length"

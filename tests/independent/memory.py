@@ -2,7 +2,8 @@
 """Section 17 of MACHINE.md once more, in Python: the figures' ledgers of memory accesses.
 
 The frame is the published one (tests/goldens/observer_z.pgm, held by its hash), the transform and
-the dither are machine.py's; chips, stolen cycles and the recurrence are written here from the text.
+the dither are those of words.py and shadows.py; chips, stolen cycles and the recurrence are
+written here from the text.
 
     python3 memory.py [--machine PATH]
 
@@ -14,8 +15,9 @@ import pathlib
 import re
 import sys
 
-import machine
-from machine import BACKGROUND, F, H, I, MIDDLE, N, ONE, Z
+from shadows import dither_words
+from words import (BACKGROUND, F, H, I, MIDDLE, N, ONE, TransformUnit, View, Z, observer_to_light,
+                   published_hash)
 
 CLOCK = 200
 ACCESS, CYCLE, COLUMN, PAGE, LONGEST = 200, 375, 135, 225, 10_000
@@ -93,8 +95,8 @@ def up(ns):
 
 def tokens(observer_z, bias, four, dither):
     """(x, y, visible, texels) of every pixel in scan order."""
-    view, light = (machine.View(a, 0, (0, 0, 0), 131072, -131072, 131072) for a in (0, -100))
-    unit = machine.TransformUnit(machine.observer_to_light(view, light, bias), I, ONE)
+    view, light = (View(a, 0, (0, 0, 0), 131072, -131072, 131072) for a in (0, -100))
+    unit = TransformUnit(observer_to_light(view, light, bias), I, ONE)
     for p, c in enumerate(observer_z):
         py, px = divmod(p, N)
         if c == BACKGROUND:
@@ -150,11 +152,11 @@ def main():
     text = parser.parse_args().machine.read_text(encoding="utf-8")
     data = (here / "../goldens/observer_z.pgm").read_bytes()[-2 * N * N:]
     observer_z = [data[k] << 8 | data[k + 1] for k in range(0, len(data), 2)]
-    if machine.published_hash(observer_z, 2) not in text:
+    if published_hash(observer_z, 2) not in text:
         print("observer_z.pgm is not the published buffer")
         return 1
     good = True
-    noise = machine.dither_words(0x12345678, 12, 256)
+    noise = dither_words(0x12345678, 12, 256)
     for figure, banks, s in ((3, 1, 3), (4, 1, 4), (4, 4, 3)):
         seen = list(tokens(observer_z, 192 if figure == 4 else 64, figure == 4,
                            noise if figure == 4 else None))

@@ -1,4 +1,5 @@
-# Sourced by tests/guards/*.sh: where the core is, and what becomes of a finding.
+# Sourced by tests/guards/*.sh: where the core is, how it is compiled, and what becomes of a
+# finding.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root"
@@ -16,10 +17,10 @@ fail() {
   echo "guard: $1"
   failures=$((failures + 1))
 }
-# skip WHY: ends the guard without a verdict.
+# skip WHY: ends the guard without a verdict. CTest counts exit code 77 as skipped.
 skip() {
   echo "left out: $1"
-  exit 0
+  exit 77
 }
 verdict() {
   [ "$failures" -eq 0 ] || exit 1
@@ -28,3 +29,28 @@ verdict() {
 
 # A file without its comments and without what is in quotes, line for line.
 plain_text() { sed -e 's://.*::' -e 's:"[^"]*"::g' "$1"; }
+
+# precompile COMPILER-WITH-OPTIONS [WORD ...]: compiles the core's standard headers once and poisons
+# the words after them. What is compiled with $precompiled and the same options reads them from
+# there, in a third of the time.
+precompile() {
+  local compiler=$1 h
+  shift
+  {
+    for h in $standard_headers; do echo "#include $h"; done
+    [ $# -eq 0 ] || echo "#pragma GCC poison $*"
+  } >"$scratch/standard.hpp"
+  if $compiler --version | grep -q clang; then
+    precompiled="-include-pch $scratch/standard.pch"
+    $compiler -x c++-header "$scratch/standard.hpp" -o "$scratch/standard.pch"
+  else
+    precompiled="-Werror=invalid-pch -include $scratch/standard.hpp"
+    $compiler -x c++-header "$scratch/standard.hpp" -o "$scratch/standard.hpp.gch"
+  fi
+}
+
+# A file that includes every header of the core.
+every_header() {
+  local h
+  for h in $headers; do echo "#include \"$h\""; done
+}

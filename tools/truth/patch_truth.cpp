@@ -2,7 +2,11 @@
 
 #ifdef UMBRA78_EMBREE
 
+#if UMBRA78_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -116,9 +120,13 @@ public:
         RTCRayHit hit{};
         hit.ray = single(ray, to);
         hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if UMBRA78_EMBREE == 3
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         rtcIntersect1(scene_.get(), &context, &hit);
+#else
+        rtcIntersect1(scene_.get(), &hit);
+#endif
         if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
         const unsigned cell = hit.hit.primID / 2, columns = static_cast<unsigned>(cells_);
         const double a = hit.hit.u, b = hit.hit.v;
@@ -131,9 +139,13 @@ public:
 
     bool blocked(const Ray& ray, double to) const {
         RTCRay shadow = single(ray, to);
+#if UMBRA78_EMBREE == 3
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         rtcOccluded1(scene_.get(), &context, &shadow);
+#else
+        rtcOccluded1(scene_.get(), &shadow);
+#endif
         return shadow.tfar < 0;
     }
 

@@ -22,9 +22,11 @@ void for_planes(const FrameBuffers<A>& a, const FrameBuffers<B>& b, Visit&& visi
 }
 
 template <class A, class B>
-void expect_equal_frames(const FrameBuffers<A>& a, const FrameBuffers<B>& b) {
+void expect_equal_frames(
+    const FrameBuffers<A>& a, const FrameBuffers<B>& b,
+    umbra78::test::Constant of_constant = umbra78::test::Constant::fails) {
     for_planes(a, b, [&](const char* name, const auto& p, const auto& q) {
-        umbra78::test::expect_equal_buffers(name, a.observer.size_px(), p, q);
+        umbra78::test::expect_equal_buffers(name, a.observer.size_px(), p, q, of_constant);
     });
 }
 

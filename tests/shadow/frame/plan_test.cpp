@@ -52,7 +52,8 @@ TEST(FramePlan, LeavingOutChangesNoBit) {
         const FramePlan plan = make_plan(in);
         PlannedFrame got(planned);
         got.draw(plan);
-        expect_equal_frames(expected.frame.buffers, got.frame.buffers);
+        expect_equal_frames(expected.frame.buffers, got.frame.buffers,
+                            umbra78::test::Constant::expected);  // some views are empty
         for (std::size_t k = 0; k < first_standing; ++k) {
             if (!plan.leaves_out(static_cast<Omission>(k))) continue;
             seen.insert(k);
