@@ -1,9 +1,10 @@
-// Figure 4's noise: the words themselves, their mean and variance, and the controls that a
-// spectrum of the mask cannot tell.
+// Figure 4's noise: the words themselves, their mean, variance and distribution. Whether the
+// post-process uses them as they are is asked in dither_in_use_test.cpp.
 //
 // A word is the centred sum of k bytes, scaled to one texel peak to peak, in 128ths. Its variance
 // is that of k uniforms, (k (2^16 - 1) / 12) (2 A / 2^16)^2, and 1/12 for the rounding to words:
 // about 128^2 / (12 k). With k = 12 the deviation is 1/12 texel, 10.7 words.
+#include "tests/claims/exact_words.hpp"
 #include "tests/claims/ground.hpp"
 
 #include <gtest/gtest.h>
@@ -94,26 +95,6 @@ TEST(Dither, HasTheStatedMeanAndVariance) {
             EXPECT_LE(m.max, 64) << text;
         }
     }
-}
-
-// The probability of each word -64 .. 64, exact but for the double's last bits: the sums' by
-// convolution, taken together where they round to one word.
-template <int K>
-std::array<double, 129> exact_words() {
-    const auto counts = fixed::sum_counts<K>();
-    const std::int32_t amplitude = fixed::dither_amplitude(K, 256, 7);
-    std::array<double, 129> probability{};
-    for (std::size_t s = 0; s < counts.size(); ++s) {
-        double p = 0;
-        if constexpr (K <= 7) {
-            p = std::ldexp(static_cast<double>(counts[s]), -8 * K);
-        } else {
-            p = std::ldexp(static_cast<double>((counts[s] >> 48).to_int64()), 48 - 8 * K);
-        }
-        const int word = fixed::dither_word(static_cast<int>(s), K, amplitude);
-        probability[static_cast<std::size_t>(word + 64)] += p;
-    }
-    return probability;
 }
 
 // Chi squared of a frame's 2^19 words, X and Y, over those expected 20 times and more; and how
@@ -208,15 +189,6 @@ TEST(Dither, WordsAreUncorrelated) {
 
 // --- negative controls --------------------------------------------------------------------------
 
-TEST(DitherControls, OneUniformForBothAxesIsWhollyCorrelated) {
-    auto plane = noise_plane(DitherShape::normal);
-    const double sound = correlation(plane, 0, 0, x_word, y_word);
-    for (DitherWords& w : plane) w.y = w.x;
-    const double shared = correlation(plane, 0, 0, x_word, y_word);
-    std::printf("correlation of X and Y: %+.4f, from one uniform %.4f\n", sound, shared);
-    EXPECT_GT(shared, 0.99);
-}
-
 // Triangular dither is the sum of two uniforms; of one uniform taken twice it is a uniform again,
 // with twice the variance.
 TEST(DitherControls, TriangularOfOneSharedUniformHasTwiceTheVariance) {
@@ -234,12 +206,6 @@ TEST(DitherControls, AQuarterTexelHasASixteenthOfTheVariance) {
     std::printf("variance of the normal dither %.2f, of a quarter texel's %.2f\n", whole, quarter);
     EXPECT_NEAR(quarter * 16 / whole, 1, 0.03);
     EXPECT_GT(std::abs(quarter / stated_variance(12) - 1), 0.5) << "so the test above fails it";
-}
-
-TEST(DitherControls, ARestartedGeneratorIsCorrelatedDownTheColumns) {
-    auto plane = noise_plane(DitherShape::normal);
-    for (std::size_t k = 512; k < plane.size(); ++k) plane[k] = plane[k % 512];
-    EXPECT_GT(correlation(plane, 0, 1, x_word, x_word), 0.99);
 }
 
 }  // namespace

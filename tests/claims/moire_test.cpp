@@ -185,7 +185,8 @@ TEST(Controls, ARepeatingGeneratorFails) {
 }
 
 // One uniform for both X and Y leaves each pixel's error independent of the next pixel's, and the
-// spectrum white: flatness cannot tell it. The words can; dither_test.cpp does.
+// spectrum white: flatness does not show it. The correlation of the words does
+// (dither_in_use_test.cpp).
 TEST(Controls, OneUniformForBothAxesPassesTheSpectrum) {
     const auto words = noise_plane(DitherShape::normal);
     const Machine machine(with(figure_settings(4), Lookup::bilinear, 64, DitherShape::normal));
