@@ -1,5 +1,7 @@
 // What memory of the time costs the post-process, and where it shows: dither, interpolation and the
-// light's angle as page misses of the light map (hw/MACHINE.md, section 17).
+// light's angle as page misses of the light map (hw/MACHINE.md, section 17). Where a line that is
+// printed names no other settings they are figure 3's: nearest lookup, no dither, four multipliers,
+// one bank, pages of whole lines, the observer's store read out to a monitor.
 #include "shadow/clocked/memory_replay.hpp"
 #include "shadow/clocked/post_process.hpp"
 #include "tests/claims/ground.hpp"
@@ -159,7 +161,7 @@ TEST(Memory, TheLightsAzimuthShowsInRowsOfWords) {
     std::vector<MemoryLedger> lines, words;
     for (const int azimuth : {0, -30, -60, -100}) {
         const Lit lit(azimuth);
-        const std::string at = "azimuth " + std::to_string(azimuth);
+        const std::string at = "figure 3, azimuth " + std::to_string(azimuth);
         lines.push_back(print(at + ", lines", lit.replay(lit.settings)));
         words.push_back(print(at + ", words", lit.replay(in_rows(lit.settings, DramRows::words))));
     }
@@ -176,7 +178,7 @@ TEST(Memory, TheLightsElevationShowsInPagesOfLines) {
     std::vector<MemoryLedger> plain, noisy;
     for (const int elevation : {0, 15, 30, 60}) {
         const Lit lit(-100, elevation);
-        const std::string at = "elevation " + std::to_string(elevation);
+        const std::string at = "figure 3, elevation " + std::to_string(elevation);
         plain.push_back(print(at, lit.replay(lit.settings)));
         noisy.push_back(print(at + ", dithered", lit.replay(dithered(lit.settings))));
     }
