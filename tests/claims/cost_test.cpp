@@ -194,8 +194,8 @@ TEST(Cost, RoughlyTwicePlusAFixedTransformation) {
         const double transformation = of(l.transformation(true));
         const double depth = static_cast<double>(l.observer_counts.samples) /
                              static_cast<double>(l.visible);
-        std::printf("figure 4, %-12s both views %.2f of the observer's, transformation %.3f, %.2f samples a "
-                    "visible pixel\n", name, both, transformation, depth);
+        std::printf("figure 4, %-12s both views %.2f of the observer's, transformation %.3f, "
+                    "%.2f samples a visible pixel\n", name, both, transformation, depth);
         EXPECT_EQ(std::lround(100 * both), both_percent) << "under 2: the light is not shaded";
         EXPECT_EQ(std::lround(1000 * transformation), transformation_permille);
         EXPECT_EQ(std::lround(100 * depth), 267);
