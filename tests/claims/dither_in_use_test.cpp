@@ -170,8 +170,8 @@ Statistics measure(const std::string& what, const Seen& seen,
 }
 
 // A frame has 2^18 words: the standard error of a share is 1/1024, that of a correlation 1/512.
-// Five of a share are allowed, and the 0.0037 by which the register's three-term relations move it: they
-// skew the sum of twelve bytes by -0.056 (dither_test.cpp), which is 0.056/6 times the normal
+// Five of a share are allowed, and the 0.0037 by which the register's three-term relations move it:
+// they skew the sum of twelve bytes by -0.056 (dither_test.cpp), which is 0.056/6 times the normal
 // density's greatest value. Ten of a correlation are allowed: the register gives 0.0096.
 constexpr double share_limit = 5.0 / 1024 + 0.0037;
 constexpr double correlation_limit = 10.0 / 512;

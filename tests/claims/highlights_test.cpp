@@ -45,7 +45,8 @@ Highlights highlights(const char* what, Form form) {
     }
     h.mean_q8 = h.pixels == 0 ? 0 : sum * 256 / h.pixels;
     std::printf("figure 6, %s: %d pixels wholly in shadow, %d with a highlight (%d of them in "
-                "truth's shadow), of %.1f levels on the mean and %d at most; %d at the ambient level %d\n",
+                "truth's shadow), of %.1f levels on the mean and %d at most; %d at the "
+                "ambient level %d\n",
                 what, h.in_shadow, h.pixels, h.in_truth, h.mean_q8 / 256.0, h.strongest,
                 h.ambient_only, ambient);
     return h;
