@@ -33,7 +33,7 @@ Highlights highlights(const char* what, Form form) {
     Highlights h;
     int sum = 0;
     for (std::size_t a = 0; a < glossy.visible.size(); ++a) {
-        if (glossy.buffers().filtered[a] != shadow::mask_shadow) continue;  // wholly in shadow
+        if (glossy.buffers().lights[0].filtered[a] != shadow::mask_shadow) continue;
         ++h.in_shadow;
         h.ambient_only += glossy.buffers().picture[a] == ambient;
         const int glow = glossy.buffers().picture[a] - dull.buffers.picture[a];

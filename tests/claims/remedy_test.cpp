@@ -69,7 +69,7 @@ TEST(Figure4, IsWithinItsBounds) {
 TEST(Figure5, HasItsRatesAtItsThreshold) {
     const Machine machine(figure_settings(5));
     const Ground& g = ground();
-    const tools::MachineMask edges{machine.buffers().edges, machine.visible};
+    const tools::MachineMask edges{machine.buffers().lights[0].edges, machine.visible};
     const ShadowError four = shadow_error(g.truth, machine.compared());
     const ShadowError dequantized = shadow_error(g.truth, edges);
     const ShadowError five = shadow_error(g.truth, machine.filtered());
