@@ -1,3 +1,4 @@
+// The bias converted exactly, as rational numbers, and rounded once.
 #include "shadow/bias.hpp"
 
 namespace umbra78::shadow {

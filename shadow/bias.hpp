@@ -16,6 +16,8 @@ struct BiasUnits {
     hw::Rational quanta_per_world, texels_per_world;
 };
 
+// `light` has extent > 0 and far > near, and in perspective distance > 0; else a division by zero
+// traps.
 BiasUnits bias_units(const raster::View& light, const hw::MachineSpec& spec);
 
 // A bias as it is set: a number in one of the three units, Q.16.

@@ -32,6 +32,11 @@ struct LightMap {
     }
 };
 
+template <class Depth>
+LightMap<Depth> light_map(const hw::FrameStore<const Depth>& store, const ShadowTest& test) {
+    return {store, test.machine, test.lookup, test.background};
+}
+
 // `p` from the transform unit, `d` the pixel's dither words (0 where dither is off).
 template <class Depth>
 bool in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherWords& d) {

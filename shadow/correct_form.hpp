@@ -29,7 +29,14 @@ public:
                 const hw::TransformUnit& unit, const ShadowTest& settings,
                 std::span<std::uint8_t> mask, bool noise)
         : store_(store), map_(map), unit_(unit), settings_(settings), mask_(mask),
-          draws_noise_(noise) {}
+          draws_noise_(noise) {
+        check_machine(settings.machine);
+        check_observer<Depth>(store, settings.machine);
+        fixed::require(store.intensity.size() == store.depth.size(),
+                       "correct form: the observer's store has no intensities");
+        check_light(map.store, settings.machine);
+        check_mask(mask, settings.machine);
+    }
 
     // Nothing is left out: the machine transforms every point it generates.
     bool hidden(const raster::Footprint&) const { return false; }

@@ -18,6 +18,7 @@
 // them again in 32-bit lanes, and the AP-120B has its own numbers; tests hold both to a model.
 #pragma once
 
+#include "fixed/rounding.hpp"
 #include "hw/machine_spec.hpp"
 #include "hw/noise_source.hpp"
 #include "hw/transform_unit.hpp"

@@ -1,20 +1,21 @@
+// The definition of the post-process: one pixel after the other, through the units themselves.
 #include "shadow/post_process.hpp"
 
 namespace umbra78::shadow {
-namespace {
 
 template <class Depth>
-PostProcessCounts test_frame(const hw::FrameStore<const Depth>& observer,
-                             const hw::FrameStore<const Depth>& light,
-                             const hw::MatrixWords& matrix, const ShadowTest& settings,
-                             const PostProcessWork& work, std::span<std::uint8_t> mask) {
-    const hw::MachineSpec& spec = settings.machine;
+PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
+                               const ShadowTest& test, const PostProcessWork& work,
+                               std::span<std::uint8_t> mask) {
+    const hw::MachineSpec& spec = test.machine;
+    check(maps, spec, mask);
+    const hw::FrameStore<const Depth>& observer = maps.observer;
     const hw::TransformUnit unit(spec, matrix, work.unit);
-    const LightMap<Depth> map{light, spec, settings.lookup, settings.background};
+    const LightMap<Depth> map = light_map(maps.light, test);
     PostProcessCounts counts;
     for (int y = 0; y < spec.size_px(); ++y) {
         // The noise is clocked at every pixel, visible or not.
-        hw::NoiseSource noise(drawn_dither(settings), spec, 0, y);
+        hw::NoiseSource noise(drawn_dither(test), spec, 0, y);
         for (int x = 0; x < spec.size_px(); ++x) {
             const hw::DitherWords d = work.noise ? noise.next() : hw::DitherWords{0, 0};
             const std::size_t a = observer.address(x, y);
@@ -23,7 +24,7 @@ PostProcessCounts test_frame(const hw::FrameStore<const Depth>& observer,
             mask[a] = mask_lit;
             if (!visible && !work.background) continue;
             ++counts.visible;
-            if (!in_shadow(map, unit(pixel_words(x, y, code, settings)), d)) continue;
+            if (!in_shadow(map, unit(pixel_words(x, y, code, test)), d)) continue;
             if (!visible) continue;  // transformed for nothing
             ++counts.shadowed;
             mask[a] = mask_shadow;
@@ -32,19 +33,11 @@ PostProcessCounts test_frame(const hw::FrameStore<const Depth>& observer,
     return counts;
 }
 
-}  // namespace
-
-PostProcessCounts post_process(const hw::FrameStore<const hw::Depth16>& observer,
-                               const hw::FrameStore<const hw::Depth16>& light,
-                               const hw::MatrixWords& matrix, const ShadowTest& settings,
-                               const PostProcessWork& work, std::span<std::uint8_t> mask) {
-    return test_frame(observer, light, matrix, settings, work, mask);
-}
-PostProcessCounts post_process(const hw::FrameStore<const hw::Depth32>& observer,
-                               const hw::FrameStore<const hw::Depth32>& light,
-                               const hw::MatrixWords& matrix, const ShadowTest& settings,
-                               const PostProcessWork& work, std::span<std::uint8_t> mask) {
-    return test_frame(observer, light, matrix, settings, work, mask);
-}
+template PostProcessCounts post_process(const DepthMaps<hw::Depth16>&, const hw::MatrixWords&,
+                                        const ShadowTest&, const PostProcessWork&,
+                                        std::span<std::uint8_t>);
+template PostProcessCounts post_process(const DepthMaps<hw::Depth32>&, const hw::MatrixWords&,
+                                        const ShadowTest&, const PostProcessWork&,
+                                        std::span<std::uint8_t>);
 
 }  // namespace umbra78::shadow

@@ -4,12 +4,15 @@
 //     --dither X, Y--> look up --> compare --> mask (255 in shadow, 0 lit or background)
 //
 // Its cost depends on the resolution alone: one transform a visible pixel, whatever was drawn.
-// `post_process` is the definition, a pixel at a time; `post_process_rows` runs the same
-// arithmetic a scan line at a time, in lanes the compiler vectorizes, wherever the words are
-// 1978's and both views affine. Tests hold the two equal bit for bit.
+// `post_process` is the definition, one pixel at a time. `post_process_rows` runs the same
+// arithmetic one scan line at a time, in lanes that the compiler vectorizes; it covers words of
+// 1978's widths and affine views (rows_cover). Tests hold the two equal bit for bit.
+// Both read the depth maps (DepthMaps), write every byte of the mask, and trap if the maps or the
+// mask have other sizes than the machine.
 #pragma once
 
 #include "shadow/compare.hpp"
+#include "shadow/depth_maps.hpp"
 
 #include <array>
 #include <cstdint>
@@ -31,18 +34,19 @@ constexpr hw::Words pixel_words(int px, int py, std::uint32_t code, const Shadow
     return {word(px), word(py), static_cast<std::int32_t>(z)};
 }
 
-// What the plain form does of what can change nothing, and whether it draws the noise.
+// Work that changes no bit and is done only to show that, and what it costs; and whether noise is
+// drawn. Without its noise a dithered frame has other bits.
 struct PostProcessWork {
     hw::UnitWork unit{};
-    bool background = false;  // pixels where nothing was drawn are transformed, and lit
-    bool noise = true;        // where dither is off, words of amplitude 0
+    bool background = false;  // transforms pixels where nothing was drawn, too; they stay lit
+    bool noise = true;        // draws noise, of amplitude 0 where dither is off
     constexpr bool operator==(const PostProcessWork&) const = default;
 };
 constexpr PostProcessWork needed_work(const ShadowTest& s) {
     return {{}, false, !hw::silent(s.dither, s.machine)};
 }
 
-// The noise of a frame; where dither is off it is drawn, if it is, with amplitude 0.
+// The noise that is drawn for a frame: where dither is off, uniform noise of amplitude 0.
 constexpr hw::Dither drawn_dither(const ShadowTest& s) {
     if (s.dither.shape != hw::DitherShape::none) return s.dither;
     return {hw::DitherShape::uniform, 0, s.dither.seed};
@@ -54,26 +58,14 @@ struct PostProcessCounts {
     std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
 };
 
-PostProcessCounts post_process(const hw::FrameStore<const hw::Depth16>& observer,
-                               const hw::FrameStore<const hw::Depth16>& light,
-                               const hw::MatrixWords& matrix, const ShadowTest& settings,
-                               const PostProcessWork& work, std::span<std::uint8_t> mask);
-PostProcessCounts post_process(const hw::FrameStore<const hw::Depth32>& observer,
-                               const hw::FrameStore<const hw::Depth32>& light,
-                               const hw::MatrixWords& matrix, const ShadowTest& settings,
-                               const PostProcessWork& work, std::span<std::uint8_t> mask);
-// The work that the settings need.
-inline PostProcessCounts post_process(const hw::FrameStore<const hw::Depth16>& observer,
-                                      const hw::FrameStore<const hw::Depth16>& light,
-                                      const hw::MatrixWords& matrix, const ShadowTest& settings,
-                                      std::span<std::uint8_t> mask) {
-    return post_process(observer, light, matrix, settings, needed_work(settings), mask);
-}
-inline PostProcessCounts post_process(const hw::FrameStore<const hw::Depth32>& observer,
-                                      const hw::FrameStore<const hw::Depth32>& light,
-                                      const hw::MatrixWords& matrix, const ShadowTest& settings,
-                                      std::span<std::uint8_t> mask) {
-    return post_process(observer, light, matrix, settings, needed_work(settings), mask);
+template <class Depth>
+PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
+                               const ShadowTest& test, const PostProcessWork& work,
+                               std::span<std::uint8_t> mask);
+template <class Depth>
+PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
+                               const ShadowTest& test, std::span<std::uint8_t> mask) {
+    return post_process(maps, matrix, test, needed_work(test), mask);
 }
 
 inline constexpr int widest_row = 512;
@@ -87,12 +79,11 @@ struct RowMemory {
 };
 
 // Whether the row form covers these settings and this matrix.
-bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix);
+bool rows_cover(const ShadowTest& test, const hw::MatrixWords& matrix);
 
-// Requires rows_cover.
-PostProcessCounts post_process_rows(const hw::FrameStore<const hw::Depth16>& observer,
-                                    const hw::FrameStore<const hw::Depth16>& light,
-                                    const hw::MatrixWords& matrix, const ShadowTest& settings,
+// Requires rows_cover, which it checks.
+PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
+                                    const hw::MatrixWords& matrix, const ShadowTest& test,
                                     RowMemory& memory, std::span<std::uint8_t> mask);
 
 }  // namespace umbra78::shadow

@@ -100,7 +100,7 @@ void transform_row(const hw::Depth16* depth, Span span, const std::array<RowShar
     }
 }
 
-// The bytes of one word and of another, summed.
+// The sum of a word's n low bytes.
 int bytes(std::uint64_t w, int n) { return fixed::sum_of_uniforms(w, n); }
 
 // Four or twelve bytes a word: a pixel's bits are one or three steps of the 64-bit stream.
@@ -158,9 +158,9 @@ void nearest_addresses(const hw::Depth16* depth, Span span, const hw::MachineSpe
     }
 }
 
-std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<const hw::Depth16>& light,
-                          Span span, const hw::MachineSpec& m, RowMemory& memory,
-                          std::uint8_t* mask) {
+std::uint64_t nearest_row(const hw::Depth16* depth,
+                          const hw::FrameStore<const hw::Depth16>& light, Span span,
+                          const hw::MachineSpec& m, RowMemory& memory, std::uint8_t* mask) {
     nearest_addresses(depth, span, m, memory);
     const hw::Depth16* texels = light.depth.data();
     std::int32_t* code = memory.result[2].data();
@@ -176,11 +176,11 @@ std::uint64_t nearest_row(const hw::Depth16* depth, const hw::FrameStore<const h
     return shadowed;
 }
 
-std::uint64_t bilinear_row(const hw::Depth16* depth, const hw::FrameStore<const hw::Depth16>& light,
-                           Span span, const ShadowTest& s, RowMemory& memory,
-                           std::uint8_t* mask) {
+std::uint64_t bilinear_row(const hw::Depth16* depth,
+                           const hw::FrameStore<const hw::Depth16>& light, Span span,
+                           const ShadowTest& s, RowMemory& memory, std::uint8_t* mask) {
     const hw::MachineSpec& m = s.machine;
-    const LightMap<hw::Depth16> map{light, m, Lookup::bilinear, s.background};
+    const LightMap<hw::Depth16> map = light_map(light, s);
     const std::int32_t one = 1 << m.fraction_bits, f = m.fraction_bits;
     const std::int32_t last = m.size_px() - 1, half = m.half_px();
     const auto offset = static_cast<std::int32_t>(m.depth_offset());
@@ -235,11 +235,14 @@ bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     return true;
 }
 
-PostProcessCounts post_process_rows(const hw::FrameStore<const hw::Depth16>& observer,
-                                    const hw::FrameStore<const hw::Depth16>& light,
+PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask) {
     const hw::MachineSpec& m = settings.machine;
+    check(maps, m, mask);
+    fixed::require(rows_cover(settings, matrix),
+                   "post-process: the row form does not cover these settings or this matrix");
+    const hw::FrameStore<const hw::Depth16>& observer = maps.observer;
     const auto n = static_cast<std::size_t>(m.size_px());
     const auto none = static_cast<hw::Depth16>(m.background());
     column_shares(settings, matrix, memory);
@@ -259,8 +262,8 @@ PostProcessCounts post_process_rows(const hw::FrameStore<const hw::Depth16>& obs
                       m.input_fraction() - m.depth_fraction(), memory);
         if (!hw::silent(settings.dither, m)) add_dither(settings, y, span, memory);
         counts.shadowed += settings.lookup == Lookup::nearest
-                               ? nearest_row(depth, light, span, m, memory, out)
-                               : bilinear_row(depth, light, span, settings, memory, out);
+                               ? nearest_row(depth, maps.light, span, m, memory, out)
+                               : bilinear_row(depth, maps.light, span, settings, memory, out);
     }
     return counts;
 }

@@ -16,8 +16,8 @@ namespace umbra78::shadow {
 enum class Registration : std::uint8_t { centre, index };
 // The light map's Z at a point: of the texel it falls in, or the exact mean of four.
 enum class Lookup : std::uint8_t { nearest, bilinear };
-// What bilinear lookup does beside the background: blends the background's code, or falls back to
-// nearest.
+// What bilinear lookup does where one of its four texels is background: it blends the background's
+// code like any other, or falls back to the nearest texel alone.
 enum class Background : std::uint8_t { blend, fall_back };
 
 struct ShadowTest {

@@ -1,3 +1,4 @@
+// The published times, and the steps of a pass. hw/MACHINE.md, section 18, has both as tables.
 #include "shadow/ap120b/cost.hpp"
 
 #include "fixed/rounding.hpp"
@@ -8,7 +9,7 @@
 namespace umbra78::shadow {
 namespace {
 
-using enum ArrayStepSource;
+using enum ArrayCycleSource;
 using hw::ap120b::MemorySpeed;
 
 // An element's published time, in tenths of a microsecond.
@@ -38,11 +39,11 @@ ArrayCost array_cost(const PostProcessCounts& counts, const ShadowTest& settings
     ArrayCost c;
     c.pixels = counts.visible;
     c.lines = counts.lines;
-    const auto add = [&](ArrayStep s) {
+    const auto add = [&](ArrayCostStep s) {
         if (s.elements > 0) c.step[c.steps++] = s;
     };
     const auto routine = [&](std::string_view name, Published p, int elements, int calls,
-                             ArrayStepSource source = published) {
+                             ArrayCycleSource source = published) {
         add({name, source, elements, cycles(p, speed), calls});
     };
     const int codes = bilinear ? 4 : 1;
@@ -64,7 +65,7 @@ ArrayCost array_cost(const PostProcessCounts& counts, const ShadowTest& settings
     return c;
 }
 
-const ArrayStep& ArrayCost::longest() const {
+const ArrayCostStep& ArrayCost::longest() const {
     return *std::max_element(step.begin(), step.begin() + steps, [this](auto& a, auto& b) {
         return cycles(a) < cycles(b);
     });
@@ -72,13 +73,13 @@ const ArrayStep& ArrayCost::longest() const {
 
 std::uint64_t ArrayCost::cycles() const {
     std::uint64_t sum = 0;
-    for (const ArrayStep& s : list()) sum += cycles(s);
+    for (const ArrayCostStep& s : list()) sum += cycles(s);
     return sum;
 }
 
 std::uint64_t ArrayCost::calls() const {
     std::uint64_t sum = 0;
-    for (const ArrayStep& s : list()) sum += lines * static_cast<std::uint64_t>(s.calls);
+    for (const ArrayCostStep& s : list()) sum += lines * static_cast<std::uint64_t>(s.calls);
     return sum;
 }
 

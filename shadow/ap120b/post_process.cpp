@@ -1,3 +1,5 @@
+// The matrix for the AP-120B, and the pass in its arithmetic: every operation is Float38's, which
+// rounds each result once.
 #include "shadow/ap120b/post_process.hpp"
 
 namespace umbra78::shadow {
@@ -91,18 +93,18 @@ bool array_in_shadow(const LightMap<Depth>& map, Vector p, bool affine,
 }
 
 template <class Depth>
-static PostProcessCounts test_frame(const hw::FrameStore<const Depth>& observer,
-                                    const hw::FrameStore<const Depth>& light,
-                                    const Matrix& matrix, bool affine, const ShadowTest& settings,
-                                    std::span<std::uint8_t> mask) {
-    const hw::MachineSpec& spec = settings.machine;
-    const LightMap<Depth> map{light, spec, settings.lookup, settings.background};
-    const bool dithered = settings.dither.shape != hw::DitherShape::none;
-    hw::Dither dither = settings.dither;
-    if (!dithered) dither.shape = hw::DitherShape::uniform;
+PostProcessCounts array_post_process(const DepthMaps<Depth>& maps, const Matrix& matrix,
+                                     bool affine, const ShadowTest& test,
+                                     std::span<std::uint8_t> mask) {
+    const hw::MachineSpec& spec = test.machine;
+    check(maps, spec, mask);
+    fixed::require(spec.z_bits <= 16, "AP-120B: its host sends Z codes of up to 16 bits");
+    const hw::FrameStore<const Depth>& observer = maps.observer;
+    const LightMap<Depth> map = light_map(maps.light, test);
+    const bool dithered = !hw::silent(test.dither, spec);
     PostProcessCounts counts;
     for (int y = 0; y < spec.size_px(); ++y) {
-        hw::NoiseSource noise(dither, spec, 0, y);
+        hw::NoiseSource noise(drawn_dither(test), spec, 0, y);
         const std::uint64_t before = counts.visible;
         for (int x = 0; x < spec.size_px(); ++x) {
             const hw::DitherWords d = dithered ? noise.next() : hw::DitherWords{0, 0};
@@ -123,13 +125,8 @@ static PostProcessCounts test_frame(const hw::FrameStore<const Depth>& observer,
 
 #define UMBRA78_ARRAY(Depth)                                                                      \
     template bool array_in_shadow(const LightMap<Depth>&, Vector, bool, const hw::DitherWords&);  \
-    PostProcessCounts array_post_process(const hw::FrameStore<const Depth>& observer,             \
-                                         const hw::FrameStore<const Depth>& light,                \
-                                         const Matrix& matrix, bool affine,                       \
-                                         const ShadowTest& settings,                              \
-                                         std::span<std::uint8_t> mask) {                          \
-        return test_frame(observer, light, matrix, affine, settings, mask);                       \
-    }
+    template PostProcessCounts array_post_process(const DepthMaps<Depth>&, const Matrix&, bool,   \
+                                                  const ShadowTest&, std::span<std::uint8_t>);
 UMBRA78_ARRAY(hw::Depth16)
 UMBRA78_ARRAY(hw::Depth32)
 #undef UMBRA78_ARRAY

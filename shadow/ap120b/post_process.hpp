@@ -9,7 +9,9 @@
 // X and Y come out in texels from the map's corner, K in its Z codes: the matrix holds the pixel's
 // centre, the frame's centre, the scale of Z and the bias, so no element needs another addition.
 // The rules outside the light's volume are the fixed-point unit's; hw/MACHINE.md, section 18.
-// Bits are made a pixel at a time; the vector routines a scan line at a time would make the same.
+// This code computes one pixel at a time; the processor's vector routines, which take a scan line
+// at a time, would give the same bits. Codes have at most 16 bits, as the host sends them: more
+// trap, and so do maps or a mask of other sizes than the machine.
 #pragma once
 
 #include "hw/ap120b/transform.hpp"
@@ -38,14 +40,10 @@ template <class Depth>
 bool array_in_shadow(const LightMap<Depth>& map, hw::ap120b::Vector p, bool affine,
                      const hw::DitherWords& d);
 
-PostProcessCounts array_post_process(const hw::FrameStore<const hw::Depth16>& observer,
-                                     const hw::FrameStore<const hw::Depth16>& light,
+template <class Depth>
+PostProcessCounts array_post_process(const DepthMaps<Depth>& maps,
                                      const hw::ap120b::Matrix& matrix, bool affine,
-                                     const ShadowTest& settings, std::span<std::uint8_t> mask);
-PostProcessCounts array_post_process(const hw::FrameStore<const hw::Depth32>& observer,
-                                     const hw::FrameStore<const hw::Depth32>& light,
-                                     const hw::ap120b::Matrix& matrix, bool affine,
-                                     const ShadowTest& settings, std::span<std::uint8_t> mask);
+                                     const ShadowTest& test, std::span<std::uint8_t> mask);
 
 // The processor's memory while it works on a scan line of n pixels: word addresses.
 struct ArrayMemoryMap {

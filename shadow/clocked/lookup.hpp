@@ -79,7 +79,7 @@ struct LookupRegisters {
         if (outside) return;
         const int each = plan.blends ? plan.banks : 1;
         for (int k = cycle * each; k < (cycle + 1) * each; ++k)
-            texel[static_cast<std::size_t>(k)] = map.texel(tx + (k & 1), ty + k / 2);
+            texel[static_cast<std::size_t>(k)] = map.texel(tx + k % 2, ty + k / 2);
     }
 
     // On the last cycle all six products are there.

@@ -1,3 +1,4 @@
+// The recurrence of the memory replay, walked pixel by pixel in scan order.
 #include "shadow/clocked/memory_replay.hpp"
 
 #include "fixed/trap.hpp"
@@ -29,7 +30,8 @@ const Moment& later(const Moment& own, const Moment& next) {
     return own.ns >= next.ns ? own : next;
 }
 
-// Four stages with a register each. A service is asked for with the time its stage is entered.
+// Four stages with a register each. A service is given the time at which its stage is entered, and
+// returns the time that it takes.
 class Pipeline {
 public:
     template <class Read, class Light, class Write>
@@ -46,7 +48,8 @@ private:
     Moment read_, unit_, light_, write_;  // when the last token left each stage
 };
 
-// A store on a machine with a clock: from asking to the clock edge at or behind the data.
+// A store on a machine with a clock: the time from a request to the first clock edge at which the
+// data is there.
 class ClockedStore {
 public:
     ClockedStore(const hw::Timing& timing, const hw::DramMap& map, bool shown)
@@ -58,8 +61,8 @@ public:
         return clocks(dram_.access({&p, 1}, at_ns) - at_ns);
     }
 
-    // Texels of one token: all in one request where they have a bank each, else in turn, an address
-    // a clock at the most.
+    // Texels of one token: all in one request where they have a bank each, else one after the
+    // other, at most one address a clock.
     std::uint64_t texels_ns(std::uint64_t at_ns, const Texels& t) {
         std::array<hw::DramPlace, 4> places{};
         for (std::size_t k = 0; k < t.count; ++k) places[k] = map_.place(t.at[k].x, t.at[k].y);
@@ -135,15 +138,14 @@ private:
 template <class Depth>
 MemoryLedger replay(const hw::FrameStore<const Depth>& observer, const hw::MatrixWords& matrix,
                     const TimedTest& settings, std::uint64_t issue_cycles) {
-    fixed::require(issue_cycles > 0, "replay: a visible pixel takes at least a clock");
-    const hw::MachineSpec& spec = settings.machine;
+    fixed::require(issue_cycles > 0, "memory replay: a visible pixel takes a clock or more");
+    const hw::MachineSpec& spec = checked(settings).machine;
+    check_observer(observer, spec);
     const hw::TransformUnit unit(spec, matrix);
-    const bool dithered = settings.dither.shape != hw::DitherShape::none;
-    hw::Dither dither = settings.dither;
-    if (!dithered) dither.shape = hw::DitherShape::uniform;
+    const bool dithered = !hw::silent(settings.dither, spec);
     Replay memory(settings, issue_cycles);
     for (int y = 0; y < spec.size_px(); ++y) {
-        hw::NoiseSource noise(dither, spec, 0, y);
+        hw::NoiseSource noise(drawn_dither(settings), spec, 0, y);
         for (int x = 0; x < spec.size_px(); ++x) {
             const hw::DitherWords d = dithered ? noise.next() : hw::DitherWords{0, 0};
             const std::uint32_t code = observer.depth[observer.address(x, y)];

@@ -35,8 +35,9 @@ struct MemoryLedger {
 };
 
 // Of the post-process form, whatever settings.form says. The light map's words do not matter: only
-// where they lie. `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks behind
-// the one before it (PostProcessPipeline::slot_cycles, the slowest stage's).
+// where they lie. `issue_cycles` is S > 0: a visible pixel enters the unit so many clocks after
+// the one before it (PostProcessPipeline::slot_cycles, the longest stay of a stage). Widths or
+// times out of their ranges, and a store of other widths than the machine, trap.
 MemoryLedger replay_memory(const hw::FrameStore<const hw::Depth16>& observer,
                            const hw::MatrixWords& matrix, const TimedTest& settings,
                            std::uint64_t issue_cycles);

@@ -1,3 +1,5 @@
+// The clocked post-process's stages, and its schedule from one scan of the observer's Z: what lets
+// a frame's cycles be known without ticking it.
 #include "shadow/clocked/post_process_impl.hpp"
 
 #include <algorithm>
@@ -5,8 +7,8 @@
 namespace umbra78::shadow {
 
 PostProcessPipeline::PostProcessPipeline(const TimedTest& s, const hw::MatrixWords& matrix)
-    : transform(s.machine, s.timing, matrix), divide(s.machine, s.timing, matrix), lookup(s),
-      divides(!matrix.affine), dithers(s.dither.shape != hw::DitherShape::none) {
+    : transform(checked(s).machine, s.timing, matrix), divide(s.machine, s.timing, matrix),
+      lookup(s), divides(!matrix.affine), dithers(s.dither.shape != hw::DitherShape::none) {
     read_cycles = dithers ? hw::ClockedNoise::cycles_per_pixel(s.dither, s.timing) : 1;
     const int interpolate = lookup.blends ? lookup.interpolate_cycles() : 0;
     slot_cycles = std::max({transform.cycles(), divides ? divide.cycles() : 1,
@@ -36,16 +38,19 @@ Chunk look(std::span<const Depth> piece, Depth none) {
 
 }  // namespace
 
-// A chunk of one run, or of two, is a step or two; else it is a step a pixel.
+// A chunk that holds one run of visible or background pixels, or two, is counted as a whole; any
+// other chunk is counted pixel by pixel.
 template <class Depth>
 Schedule schedule(std::span<const Depth> depth, std::uint32_t background, int read_cycles,
                   int slot_cycles) {
+    fixed::require(read_cycles > 0 && slot_cycles > 0,
+                   "schedule: a pixel takes a cycle or more");
     Schedule s;
     s.pixels = depth.size();
     const auto p = static_cast<std::uint64_t>(read_cycles);
     const std::uint64_t slot = std::max(static_cast<std::uint64_t>(slot_cycles), p);
     const auto none = static_cast<Depth>(background);
-    std::uint64_t gap = 0;  // background pixels behind the one let go last
+    std::uint64_t gap = 0;  // background pixels after the one let go last
     const auto let_go = [&](std::uint64_t run) {
         if (run == 0) return;
         const std::uint64_t reading = p * (gap + 1);

@@ -4,17 +4,19 @@
 //   a pixel      hw/clocked/transform,       shadow/clocked/lookup                        mask
 //   a cycle      hw/clocked/divider
 //
-// The reader scans the observer's Z a pixel a cycle (longer only where the noise source is slower)
-// and lets a visible pixel go each S cycles, S being the slowest stage's: so nothing ever blocks
-// unless a clock is held. Background pixels end in the reader. Without holds a frame takes
+// The reader scans the observer's Z, a pixel a cycle (longer only where the noise source is
+// slower), and lets a visible pixel go every S cycles, where S is the longest stay of a stage; so
+// no stage blocks unless a clock is held. Background pixels end in the reader. Without holds a
+// frame takes
 //
 //   T = 1 + I + max(L, p g),    I = p (g_0 + 1) - 1 + sum over the later visible pixels of
 //                                   max(S, p (g_j + 1))
 //
 // with g_j the background pixels before visible pixel j, g those after the last, p the reader's
-// cycles a pixel and L the stages' cycles of one point. With holds it takes that, and the cycles
-// the reader was held or blocked until the last point left it, and those the last point then
-// waited on its way: Account says each, and their sum is the cycles ticked.
+// cycles a pixel and L the stages' cycles of one point. With holds there are added the cycles that
+// the reader was held or blocked until the last point left it, and those that the last point then
+// waited on its way. CycleAccount has each part, and their sum is the number of cycles ticked.
+// Widths or times out of their ranges, and stores or a mask of other sizes than the machine, trap.
 #pragma once
 
 #include "hw/clocked/divider.hpp"
@@ -30,9 +32,8 @@
 
 namespace umbra78::shadow {
 
-// The units of the post-process; a unit's stages stand together in the chain.
-enum class Unit : std::uint8_t { reader, transform, divider, lookup, writer };
-inline constexpr int unit_count = 5;
+// The units of the post-process; a unit's stages follow each other in the chain.
+enum class PostProcessUnit : std::uint8_t { reader, transform, divider, lookup, writer };
 
 enum class StageKind : std::uint8_t {
     transform,
@@ -44,27 +45,18 @@ enum class StageKind : std::uint8_t {
     write
 };
 
-constexpr Unit unit_of(StageKind kind) {
-    switch (kind) {
-        case StageKind::transform: return Unit::transform;
-        case StageKind::divide: return Unit::divider;
-        case StageKind::write: return Unit::writer;
-        default: return Unit::lookup;
-    }
-}
-
 // What the frame's cycles are made of: total() is exactly the cycles ticked.
-struct Account {
+struct CycleAccount {
     std::uint64_t closed_form = 0;
     std::uint64_t reader_held = 0, reader_blocked = 0;  // until the last point left the reader
-    // Behind that: what the last point waited on its way, as far as the reader's own end (and
-    // what it was held meanwhile) does not cover it.
+    // After that: how much later the frame ends because the last point waited on its way, or
+    // because the reader was held in the background pixels that follow it.
     std::uint64_t after_last = 0;
     std::uint64_t total() const { return closed_form + reader_held + reader_blocked + after_last; }
 };
 
-// A point in the machine: its registers in every unit.
-struct Flight {
+// A point on its way through the machine: its registers in every unit.
+struct PointRegisters {
     std::int32_t px = 0, py = 0;
     std::uint32_t code = 0;
     hw::DitherWords dither{0, 0};
@@ -91,7 +83,7 @@ struct PostProcessPipeline {
 struct Schedule {
     std::uint64_t visible = 0, pixels = 0;
     std::uint64_t last_issue = 0;  // the cycle in which the last visible pixel leaves the reader
-    std::uint64_t trailing = 0;    // reader cycles behind it
+    std::uint64_t trailing = 0;    // reader cycles after it
     std::uint64_t cycles(int latency) const {
         if (visible == 0) return trailing;
         const auto flight = static_cast<std::uint64_t>(latency);
@@ -105,9 +97,8 @@ Schedule schedule(std::span<const Depth> depth, std::uint32_t background, int re
 template <class Depth, class Rule = hw::ValidReady>
 class ClockedPostProcess {
 public:
-    // The stores and the mask stay the caller's.
-    ClockedPostProcess(const hw::FrameStore<const Depth>& observer,
-                       const hw::FrameStore<const Depth>& light, const hw::MatrixWords& matrix,
+    // The stores and the mask stay the caller's. The mask is cleared; `tick` writes it.
+    ClockedPostProcess(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                        const TimedTest& settings, std::span<std::uint8_t> mask);
 
     // The reader's bit of a hold mask; stage k of the chain has bit k.
@@ -120,7 +111,7 @@ public:
     std::size_t pixels() const { return pixels_; }
     const hw::Chain<Rule>& chain() const { return chain_; }
     StageKind kind(int stage) const { return kind_[static_cast<std::size_t>(stage)]; }
-    const Flight& flight(int slot) const { return flight_[static_cast<std::size_t>(slot)]; }
+    const PointRegisters& flight(int slot) const { return flight_[static_cast<std::size_t>(slot)]; }
     const PostProcessPipeline& plan() const { return plan_; }
     const PostProcessCounts& counts() const { return counts_; }
 
@@ -135,15 +126,15 @@ public:
         return reader_blame_[static_cast<std::size_t>(stage)];
     }
 
-    Account account() const;  // when done
+    CycleAccount account() const;  // when done
 
 private:
-    // Stages `from` on share a unit's steps; or a stage is one by itself.
+    // The stages from `from` on are steps of one unit; name_stage names a stage by itself.
     void name_steps(StageKind kind, int from);
     void name_stage(int stage, StageKind kind) { kind_[static_cast<std::size_t>(stage)] = kind; }
-    void work(int stage, int cycle, Flight& f);
-    void finish_transform(Flight& f);
-    void finish_divide(Flight& f);
+    void work(int stage, int cycle, PointRegisters& f);
+    void finish_transform(PointRegisters& f);
+    void finish_divide(PointRegisters& f);
     void tick_reader(hw::StageMask held);
     bool let_go(hw::StageMask held);
     void read_cycle();
@@ -157,7 +148,7 @@ private:
     hw::Chain<Rule> chain_;
     std::array<StageKind, hw::max_stages> kind_{};
     std::array<int, hw::max_stages> first_cycle_{};  // of a unit's steps, by stage
-    std::array<Flight, hw::max_stages + 1> flight_{};  // one more than there are stages
+    std::array<PointRegisters, hw::max_stages + 1> flight_{};  // one more than there are stages
     hw::ClockedNoise noise_;
 
     std::size_t pixel_ = 0, pixels_;      // the next one to be read

@@ -1,5 +1,5 @@
-// The members of ClockedPostProcess, for who instantiates it: clocked_post_process.cpp, and the
-// tests that plant a fault in the handshake.
+// The members of ClockedPostProcess. Included where it is instantiated: by
+// shadow/clocked/post_process.cpp and by tests that plant a fault in the handshake.
 #pragma once
 
 #include "shadow/clocked/post_process.hpp"
@@ -9,15 +9,15 @@
 namespace umbra78::shadow {
 
 template <class Depth, class Rule>
-ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const hw::FrameStore<const Depth>& observer,
-                                                    const hw::FrameStore<const Depth>& light,
+ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const DepthMaps<Depth>& maps,
                                                     const hw::MatrixWords& matrix,
                                                     const TimedTest& settings,
                                                     std::span<std::uint8_t> mask)
-    : plan_(settings, matrix), observer_(observer),
-      map_{light, settings.machine, settings.lookup, settings.background}, settings_(settings),
-      mask_(mask), noise_(settings.dither, settings.machine, settings.timing),
-      pixels_(observer.depth.size()), since_issue_(plan_.slot_cycles) {
+    : plan_(settings, matrix), observer_(maps.observer), map_(light_map(maps.light, settings)),
+      settings_(settings), mask_(mask),
+      noise_(settings.dither, settings.machine, settings.timing),
+      pixels_(maps.observer.depth.size()), since_issue_(plan_.slot_cycles) {
+    check(maps, settings.machine, mask);
     std::fill(mask_.begin(), mask_.end(), mask_lit);
     plan_.transform.add_stages(chain_);
     name_steps(StageKind::transform, 0);
@@ -47,7 +47,7 @@ void ClockedPostProcess<Depth, Rule>::name_steps(StageKind kind, int from) {
 }
 
 template <class Depth, class Rule>
-void ClockedPostProcess<Depth, Rule>::finish_transform(Flight& f) {
+void ClockedPostProcess<Depth, Rule>::finish_transform(PointRegisters& f) {
     const auto& t = f.transform;
     f.point = {t.result[0], t.result[1], t.result[2], hw::DivideStatus::ok};
     if (!plan_.divides) return;
@@ -56,7 +56,7 @@ void ClockedPostProcess<Depth, Rule>::finish_transform(Flight& f) {
 }
 
 template <class Depth, class Rule>
-void ClockedPostProcess<Depth, Rule>::finish_divide(Flight& f) {
+void ClockedPostProcess<Depth, Rule>::finish_divide(PointRegisters& f) {
     const auto& row = f.divider.row;
     f.point = {row[0].result.value, row[1].result.value, row[2].result.value,
                hw::DivideStatus::ok};
@@ -65,7 +65,7 @@ void ClockedPostProcess<Depth, Rule>::finish_divide(Flight& f) {
 }
 
 template <class Depth, class Rule>
-void ClockedPostProcess<Depth, Rule>::work(int stage, int cycle, Flight& f) {
+void ClockedPostProcess<Depth, Rule>::work(int stage, int cycle, PointRegisters& f) {
     const int step = first_cycle_[static_cast<std::size_t>(stage)] + cycle;
     switch (kind_[static_cast<std::size_t>(stage)]) {
         case StageKind::transform:
@@ -141,7 +141,7 @@ void ClockedPostProcess<Depth, Rule>::read_cycle() {
 
 template <class Depth, class Rule>
 void ClockedPostProcess<Depth, Rule>::issue() {
-    Flight& f = flight_[static_cast<std::size_t>(next_slot_)];
+    PointRegisters& f = flight_[static_cast<std::size_t>(next_slot_)];
     const std::size_t address = pixel_ - 1;
     f.px = static_cast<std::int32_t>(address & ((std::size_t{1} << observer_.xy_bits) - 1));
     f.py = static_cast<std::int32_t>(address >> observer_.xy_bits);
@@ -158,10 +158,10 @@ void ClockedPostProcess<Depth, Rule>::issue() {
 }
 
 template <class Depth, class Rule>
-Account ClockedPostProcess<Depth, Rule>::account() const {
+CycleAccount ClockedPostProcess<Depth, Rule>::account() const {
     const Schedule plain = schedule<Depth>(observer_.depth, settings_.machine.background(),
                                            plan_.read_cycles, plan_.slot_cycles);
-    Account a;
+    CycleAccount a;
     a.closed_form = plain.cycles(plan_.latency);
     if (plain.visible == 0) {
         a.reader_held = reader_.held;

@@ -1,6 +1,8 @@
+// Edge dequantizing as a stream: boundary tracer, cascade of averages, and area by sub-rows.
 #include "shadow/filters/dequantize.hpp"
 
 #include "fixed/rounding.hpp"
+#include "shadow/filters/filter_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -165,6 +167,13 @@ template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
                          EdgeMemory memory, std::span<std::uint8_t> out) {
+    check_filter(mask, observer, out);
+    fixed::require(passes >= 0 && passes <= max_dequantize_passes, "dequantize: 0 to 6 passes");
+    const std::size_t visited = edge_visited_words(observer.xy_bits);
+    const std::size_t coverage = edge_coverage_words(observer.xy_bits);
+    fixed::require(memory.visited.size() >= visited && memory.coverage.size() >= coverage,
+                   "dequantize: its memory is too small for the frame");
+    memory = {memory.visited.first(visited), memory.coverage.first(coverage)};
     const std::uint64_t steps =
         Tracer<Depth>(mask, observer, background, passes, memory).trace_all();
     const int size = observer.size_px();
@@ -176,8 +185,8 @@ std::uint64_t dequantize(std::span<const std::uint8_t> mask,
             const std::size_t a = observer.address(x, y);
             const int covered = std::clamp(area, 0, 256);
             const bool none = observer.depth[a] == background;
-            const int word = fixed::floor_shift(covered * 255 + 128, 8);
-            out[a] = none ? std::uint8_t{0} : static_cast<std::uint8_t>(word);
+            const int darkness = fixed::floor_shift(covered * 255 + 128, 8);
+            out[a] = none ? std::uint8_t{0} : static_cast<std::uint8_t>(darkness);
         }
     }
     return steps;

@@ -36,8 +36,10 @@ constexpr std::size_t edge_coverage_words(int xy_bits) {
     return ((std::size_t{1} << xy_bits) + 2) << xy_bits;
 }
 
-// Shadow is mask >= 128; `observer` tells what is background, which comes out 0. In and out may be
-// one span. Returns the number of chain steps followed.
+// Shadow is mask >= 128. `observer` says what is background, which comes out 0. `mask` and `out`
+// have a byte a pixel and may be one span. `passes` is 0 .. max_dequantize_passes; with 0 the mask
+// comes out as it is, as 0 and 255. `memory` may be larger than needed. Returns the number of chain
+// steps followed.
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,

@@ -1,4 +1,7 @@
+// The low-pass: the definition at the frame's border, and the same in lanes inside it.
 #include "shadow/filters/low_pass.hpp"
+
+#include "shadow/filters/filter_check.hpp"
 
 #include <cstddef>
 
@@ -49,6 +52,11 @@ void inner_row(const std::uint8_t* mask, const Depth* depth, int stride, Depth b
 template <class Depth>
 void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
               Depth background, std::span<std::uint8_t> out) {
+    check_filter(mask, observer, out);
+    const auto from = reinterpret_cast<std::uintptr_t>(mask.data());
+    const auto to = reinterpret_cast<std::uintptr_t>(out.data());
+    fixed::require(from + mask.size() <= to || to + out.size() <= from,
+                   "low-pass: the mask and the result overlap");
     const int size = observer.size_px(), last = size - 1;
     for (int y = 0; y < size; ++y) {
         const std::size_t row = observer.address(0, y);

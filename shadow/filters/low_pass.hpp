@@ -12,7 +12,8 @@
 
 namespace umbra78::shadow {
 
-// One pass; `observer` tells what is background, which comes out 0. Spans must not overlap.
+// One pass over a frame. `observer` says what is background, which comes out 0. Both spans have a
+// byte a pixel and must not overlap: a pixel's neighbours are read after it is written.
 template <class Depth>
 void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
               Depth background, std::span<std::uint8_t> out);

@@ -37,6 +37,11 @@ struct FrameBuffers {
     raster::DrawMemory* draw = nullptr;
     RowMemory* rows = nullptr;
     std::span<std::byte> method_memory;  // the caller's, for a method whose row says may_run_out
+
+    // What a pass over the frame reads for light l.
+    DepthMaps<Depth> maps(std::size_t l = 0) const {
+        return {.observer = observer, .light = lights[l].map};
+    }
 };
 
 // The alignment of a frame's memory, in bytes: each buffer starts a line of the host's cache.

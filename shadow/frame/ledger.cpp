@@ -38,12 +38,12 @@ void name_stages(PostProcessLedger& l, const PostProcessPipeline& plan) {
     add_lookup_stages(list, plan.lookup);
     const int write = list.stages();
     list.add("write");
-    l.rows[0] = {Unit::reader, "read", plan.read_cycles};
+    l.rows[0] = {PostProcessUnit::reader, "read", plan.read_cycles};
     for (int k = 0; k < list.stages(); ++k)
-        l.rows[static_cast<std::size_t>(k) + 1] = {k < divide   ? Unit::transform
-                                                   : k < lookup ? Unit::divider
-                                                   : k < write  ? Unit::lookup
-                                                                : Unit::writer,
+        l.rows[static_cast<std::size_t>(k) + 1] = {k < divide   ? PostProcessUnit::transform
+                                                   : k < lookup ? PostProcessUnit::divider
+                                                   : k < write  ? PostProcessUnit::lookup
+                                                                : PostProcessUnit::writer,
                                                    list.name(k), list.stay(k)};
     l.count = list.stages() + 1;
 }

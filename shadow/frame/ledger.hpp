@@ -25,7 +25,7 @@ namespace umbra78::shadow {
 
 // A stage's cycles: work, blocked, held and idle add up to the total.
 struct StageLedger {
-    Unit unit{};
+    PostProcessUnit unit{};
     std::string_view stage;
     int stay = 1;  // cycles a point
     std::uint64_t work = 0, blocked = 0, held = 0, idle = 0;

@@ -25,13 +25,12 @@ void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t
     PostProcessCounts& counted = counts.lights[l].post_process;
     if constexpr (sizeof(Depth) == sizeof(hw::Depth16)) {
         if (work_of(plan) == needed_work(in.settings) && rows_cover(in.settings, matrix)) {
-            counted = post_process_rows(frame.observer, light.map, matrix, in.settings,
-                                        *frame.rows, light.mask);
+            counted = post_process_rows(frame.maps(l), matrix, in.settings, *frame.rows,
+                                        light.mask);
             return;
         }
     }
-    counted = post_process(frame.observer, light.map, matrix, in.settings, work_of(plan),
-                           light.mask);
+    counted = post_process(frame.maps(l), matrix, in.settings, work_of(plan), light.mask);
 }
 
 // The schedule of the observer's visible pixels through the clocked stages.
@@ -59,7 +58,7 @@ void draw_correct_form(const FrameInputs& in, const FramePlan& plan, FrameBuffer
     const Settings& settings = in.settings;
     const hw::TransformUnit unit(settings.machine, in.matrices.lights[0].observer_to_light,
                                  plan.unit_work());
-    const LightMap<Depth> map{light.map, settings.machine, settings.lookup, settings.background};
+    const LightMap<Depth> map = light_map<Depth>(light.map, settings);
     CorrectSink<Depth> sink(frame.observer, map, unit, settings, light.mask,
                             work_of(plan).noise);
     counts.observer = draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame,
@@ -107,8 +106,8 @@ void cast_on_array(const FrameInputs& in, const FramePlan&, std::size_t l,
                    FrameBuffers<Depth>& frame, FrameCounts& counts) {
     const LightMatrices& m = in.matrices.lights[l];
     counts.lights[l].post_process =
-        array_post_process(frame.observer, frame.lights[l].map, m.array,
-                           m.observer_to_light.affine, in.settings, frame.lights[l].mask);
+        array_post_process(frame.maps(l), m.array, m.observer_to_light.affine, in.settings,
+                           frame.lights[l].mask);
 }
 
 template <class Depth>

@@ -91,8 +91,8 @@ TEST(Ap120b, TakesSecondsAFrame) {
                         ms(cost.cycles()), static_cast<double>(cost.transfer_us()) * 1e-3,
                         static_cast<unsigned long long>(cost.calls()));
             double transform = 0;
-            for (const shadow::ArrayStep& step : cost.list())
-                if (step.source == shadow::ArrayStepSource::replayed)
+            for (const shadow::ArrayCostStep& step : cost.list())
+                if (step.source == shadow::ArrayCycleSource::replayed)
                     transform += ms(cost.cycles(step));
             EXPECT_EQ(std::lround(ms(cost.cycles())), expected_ms(figure, profile));
             EXPECT_LT(4 * transform, ms(cost.cycles()) + 100);

@@ -23,6 +23,7 @@ using fixed::Rounding;
 using test::OwnedStore;
 using test::Random;
 using test::describe;
+using test::maps_of;
 
 // Quiet where equal, even where both are constant: the tests count what is in shadow.
 void expect_same(const std::vector<std::uint8_t>& expected, const std::vector<std::uint8_t>& got,
@@ -62,7 +63,7 @@ TEST(PostProcess, IsTheSlowModel) {
             ++count.shadowed;
             expected[a] = 255;
         }
-        const PostProcessCounts got = post_process(observer.store, light.store, matrix, s, mask);
+        const PostProcessCounts got = post_process(maps_of(observer, light), matrix, s, mask);
         EXPECT_EQ(got.visible, count.visible) << describe(s);
         EXPECT_EQ(got.shadowed, count.shadowed) << describe(s);
         expect_same(expected, mask, 16, describe(s));
@@ -87,7 +88,7 @@ TEST(PostProcess, WorkForNothingChangesNothing) {
         test::fill_depth(random, s.machine, light.depth);
         const hw::MatrixWords matrix = test::random_matrix(random, s.machine, true);
         std::vector<std::uint8_t> plain(256, 1), more(256, 2);
-        const PostProcessCounts a = post_process(observer.store, light.store, matrix, s, plain);
+        const PostProcessCounts a = post_process(maps_of(observer, light), matrix, s, plain);
         for (int bits = 0; bits < 16; ++bits) {
             PostProcessWork work;
             work.unit.constant_product = (bits & 1) != 0;
@@ -95,7 +96,7 @@ TEST(PostProcess, WorkForNothingChangesNothing) {
             work.background = (bits & 4) != 0;
             work.noise = (bits & 8) != 0 || needed_work(s).noise;
             const PostProcessCounts b =
-                post_process(observer.store, light.store, matrix, s, work, more);
+                post_process(maps_of(observer, light), matrix, s, work, more);
             expect_same(plain, more, 16, describe(s));
             EXPECT_EQ(b.shadowed, a.shadowed);
             EXPECT_EQ(b.visible, work.background ? 256 : a.visible);
@@ -119,17 +120,16 @@ TEST(PostProcess, WorkForNothingChangesNothing) {
 // --- plain against rows -------------------------------------------------------------------------
 
 // One frame by either form, from masks that held different rubbish before.
-void expect_forms_agree(const hw::FrameStore<hw::Depth16>& observer,
-                        const hw::FrameStore<hw::Depth16>& light, const hw::MatrixWords& matrix,
+void expect_forms_agree(const DepthMaps<hw::Depth16>& maps, const hw::MatrixWords& matrix,
                         const Settings& s, const std::string& where, std::uint64_t& shadowed) {
     ASSERT_TRUE(rows_cover(s, matrix)) << where << describe(s);
     static const auto memory = std::make_unique<RowMemory>();
-    std::vector<std::uint8_t> plain(observer.depth.size(), 1), rows(plain.size(), 2);
-    const PostProcessCounts a = post_process(observer, light, matrix, s, plain);
-    const PostProcessCounts b = post_process_rows(observer, light, matrix, s, *memory, rows);
+    std::vector<std::uint8_t> plain(maps.observer.depth.size(), 1), rows(plain.size(), 2);
+    const PostProcessCounts a = post_process(maps, matrix, s, plain);
+    const PostProcessCounts b = post_process_rows(maps, matrix, s, *memory, rows);
     EXPECT_EQ(a.visible, b.visible) << where << describe(s);
     EXPECT_EQ(a.shadowed, b.shadowed) << where << describe(s);
-    expect_same(plain, rows, observer.size_px(), where + describe(s));
+    expect_same(plain, rows, maps.observer.size_px(), where + describe(s));
     shadowed += a.shadowed;
 }
 
@@ -144,7 +144,7 @@ TEST(PostProcessRows, RandomMatricesAndFrames) {
         hw::MatrixWords m = test::random_matrix(random, s.machine, true);
         if (!rows_cover(s, m)) m.exponent = {};  // narrow coefficients: keep the shift in range
         if (!rows_cover(s, m)) continue;
-        expect_forms_agree(observer.store, light.store, m, s,
+        expect_forms_agree(maps_of(observer, light), m, s,
                            "round " + std::to_string(round) + " ", shadowed);
     }
     EXPECT_GT(shadowed, 100000u) << "too little in shadow for a test";
@@ -169,7 +169,7 @@ TEST(PostProcessRows, TheFiguresMatrixAtEverySizeAndBias) {
                 s.background = test::pick(random, {Background::blend, Background::fall_back});
                 s.registration = test::pick(random, {Registration::centre, Registration::index});
                 ASSERT_EQ(load_matrices(figures.scene(), s, frame.matrices), FrameStatus::ok);
-                expect_forms_agree(frame.buffers.observer, frame.buffers.lights[0].map,
+                expect_forms_agree(frame.buffers.maps(),
                                    frame.matrices.lights[0].observer_to_light, s, "figures ",
                                    shadowed);
                 if (HasFailure()) return;
@@ -194,7 +194,7 @@ TEST(PostProcessRows, EverySettingOnce) {
                 s.background = (bits & 2) != 0 ? Background::fall_back : Background::blend;
                 s.registration = (bits & 4) != 0 ? Registration::index : Registration::centre;
                 ASSERT_EQ(load_matrices(figures.scene(), s, frame.matrices), FrameStatus::ok);
-                expect_forms_agree(frame.buffers.observer, frame.buffers.lights[0].map,
+                expect_forms_agree(frame.buffers.maps(),
                                    frame.matrices.lights[0].observer_to_light, s, "", shadowed);
                 if (HasFailure()) return;
             }
@@ -227,7 +227,7 @@ TEST(PostProcessRows, TexelEdgesAndExtremeCodes) {
                     m.word[2][3] = z;
                     s.registration = registration;
                     s.lookup = lookup;
-                    expect_forms_agree(observer.store, light.store, m, s,
+                    expect_forms_agree(maps_of(observer, light), m, s,
                                        std::to_string(fine) + " ", shadowed);
                     if (HasFailure()) return;
                 }
@@ -299,7 +299,7 @@ TEST(PostProcessRows, ExtremeShifts) {
                 if (random.bits() % 2 == 0) w = test::pick(random, {-32768, 32767});
         }
         ++rounds;
-        expect_forms_agree(observer.store, light.store, m, s, "", shadowed);
+        expect_forms_agree(maps_of(observer, light), m, s, "", shadowed);
     }
     EXPECT_EQ(rounds, 200);
     EXPECT_GT(shadowed, 1000u);

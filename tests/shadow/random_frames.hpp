@@ -29,6 +29,12 @@ struct OwnedStore {
     hw::FrameStore<Depth> store;
 };
 
+// Two stores as a pass takes them.
+template <class Depth>
+DepthMaps<Depth> maps_of(const OwnedStore<Depth>& observer, const OwnedStore<Depth>& light) {
+    return {.observer = observer.store, .light = light.store};
+}
+
 template <class T>
 T pick(Random& random, std::initializer_list<T> of) {
     return of.begin()[random.bits() % of.size()];

@@ -120,8 +120,7 @@ void add_clocked(const std::string& name, int figure) {
         using Machine = shadow::ClockedPostProcess<Depth16>;
         std::uint64_t cycles = 0;
         for (auto _ : state) {
-            Machine machine(b.frame.observer, b.frame.lights[0].map,
-                            b.matrices.lights[0].observer_to_light,
+            Machine machine(b.frame.maps(), b.matrices.lights[0].observer_to_light,
                             shadow::figure_settings(figure), b.frame.lights[0].mask);
             while (!machine.done()) machine.tick();
             cycles += machine.cycles();
@@ -145,8 +144,7 @@ void add_all() {
     add("post-process, figure 3 (nearest)", 3, cast);
     add("post-process, figure 4 (bilinear, dither)", 4, cast);
     add("post-process, figure 3, plain form", 3, [](Bench& b, const Settings& s) {
-        shadow::post_process(b.frame.observer, b.frame.lights[0].map,
-                             b.matrices.lights[0].observer_to_light, s,
+        shadow::post_process(b.frame.maps(), b.matrices.lights[0].observer_to_light, s,
                              b.frame.lights[0].mask);
     });
     // The ledger of the pass as the functional machine gets it: one scan of the observer's Z.
@@ -161,7 +159,7 @@ void add_all() {
             b.frame.observer, b.matrices.lights[0].observer_to_light, s, 4));
     });
     add("post-process, figure 3, AP-120B", 3, [](Bench& b, const Settings& s) {
-        shadow::array_post_process(b.frame.observer, b.frame.lights[0].map, b.array(s), true, s,
+        shadow::array_post_process(b.frame.maps(), b.array(s), true, s,
                                    b.frame.lights[0].mask);
     });
     add("matrices", 6, [](Bench& b, const Settings& s) {

@@ -8,7 +8,7 @@
 namespace umbra78::tools {
 namespace {
 
-const char* name_of(shadow::ArrayStepSource source) {
+const char* name_of(shadow::ArrayCycleSource source) {
     constexpr const char* names[] = {"replayed", "published", "assumed"};
     return names[static_cast<std::size_t>(source)];
 }
@@ -22,7 +22,7 @@ double transfer_ms(const shadow::ArrayCost& cost) {
 std::string print(const shadow::ArrayCost& cost, int clock_ns) {
     std::string text = fmt::format("AP-120B     {} cycles, {:.1f} ms\n", cost.cycles(),
                                    simulated_ms(cost.cycles(), clock_ns));
-    for (const shadow::ArrayStep& s : cost.list())
+    for (const shadow::ArrayCostStep& s : cost.list())
         text += fmt::format("  {:<24}{:>8.1f} ms  {} x {} cycles a pixel ({})\n", s.name,
                             simulated_ms(cost.cycles(s), clock_ns), s.elements, s.cycles,
                             name_of(s.source));
@@ -36,7 +36,7 @@ std::string print(const shadow::ArrayCost& cost, int clock_ns) {
 
 nlohmann::ordered_json to_json(const shadow::ArrayCost& cost, int clock_ns) {
     auto steps = nlohmann::ordered_json::array();
-    for (const shadow::ArrayStep& s : cost.list())
+    for (const shadow::ArrayCostStep& s : cost.list())
         steps.push_back({{"step", s.name},
                          {"source", name_of(s.source)},
                          {"elements_a_pixel", s.elements},

@@ -53,7 +53,7 @@ ordered_json to_json(const shadow::PostProcessLedger& l) {
 
 }  // namespace
 
-const char* name_of(shadow::Unit unit) {
+const char* name_of(shadow::PostProcessUnit unit) {
     constexpr std::array names{"reader", "transform", "divider", "lookup", "writer"};
     return names[static_cast<std::size_t>(unit)];
 }

@@ -18,7 +18,7 @@ namespace umbra78::tools {
 
 struct LoadedScene;
 
-const char* name_of(shadow::Unit);
+const char* name_of(shadow::PostProcessUnit);
 
 // A line a phase: each unit's cycles, and the phase's, side by side and one by one.
 std::string print_frame(const shadow::FrameLedger&, int clock_ns);

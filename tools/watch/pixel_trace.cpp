@@ -117,7 +117,7 @@ void PixelTracer::work() {
 PixelOutcome PixelTracer::outcome() const {
     if (frame_.observer().depth[index_] == frame_.settings().machine.background())
         return PixelOutcome::background;
-    const shadow::Flight& f = machine_->flight(slot_);
+    const shadow::PointRegisters& f = machine_->flight(slot_);
     if (f.point.status != hw::DivideStatus::ok) return PixelOutcome::no_quotient;
     return f.lookup.outside ? PixelOutcome::outside : PixelOutcome::compared;
 }

@@ -16,7 +16,7 @@ namespace umbra78::tools {
 struct TracedPoint {
     const shadow::Settings& settings;
     const shadow::PostProcessPipeline& plan;
-    const shadow::Flight& flight;
+    const shadow::PointRegisters& flight;
 
     const hw::MachineSpec& spec() const { return settings.machine; }
     const hw::MatrixWords& matrix() const { return plan.transform.matrix(); }

@@ -8,7 +8,7 @@
 namespace umbra78::tools {
 namespace {
 
-using shadow::Flight;
+using shadow::PointRegisters;
 using shadow::StageKind;
 
 constexpr const char* axes[] = {"x", "y", "z", "w"};
@@ -39,13 +39,13 @@ void StageSignals::add_ports(StageKind kind, bool first, const shadow::PostProce
         case StageKind::fetch: return fetch_ports(plan.lookup);
         case StageKind::interpolate: return interpolate_ports(m);
         case StageKind::compare:
-            return port("shadow", 1, [](const Flight& f) { return f.lookup.shadow; });
+            return port("shadow", 1, [](const PointRegisters& f) { return f.lookup.shadow; });
         case StageKind::write: break;
     }
-    port("address", 2 * m.xy_bits, [n = m.xy_bits](const Flight& f) {
+    port("address", 2 * m.xy_bits, [n = m.xy_bits](const PointRegisters& f) {
         return (std::int64_t{f.py} << n) + f.px;
     });
-    port("mask", 8, [](const Flight& f) {
+    port("mask", 8, [](const PointRegisters& f) {
         return f.lookup.shadow ? shadow::mask_shadow : shadow::mask_lit;
     });
 }
@@ -55,33 +55,33 @@ void StageSignals::transform_ports(bool first, const hw::TransformPipeline& t) {
     const hw::MachineSpec& m = t.spec();
     const auto rows = static_cast<std::size_t>(t.rows());
     if (first) {
-        port("word_x", m.word_bits(), [](const Flight& f) { return f.transform.words.x; });
-        port("word_y", m.word_bits(), [](const Flight& f) { return f.transform.words.y; });
-        port("word_z", m.word_bits(), [](const Flight& f) { return f.transform.words.z; });
+        port("word_x", m.word_bits(), [](const PointRegisters& f) { return f.transform.words.x; });
+        port("word_y", m.word_bits(), [](const PointRegisters& f) { return f.transform.words.y; });
+        port("word_z", m.word_bits(), [](const PointRegisters& f) { return f.transform.words.z; });
         for (std::size_t r = 0; r < rows; ++r)
             for (std::size_t c = 0; c < static_cast<std::size_t>(t.columns()); ++c)
                 port(fmt::format("product_{}{}", axes[r], c), m.word_bits() + m.coefficient_bits,
-                     [r, c](const Flight& f) { return f.transform.product[r][c]; });
+                     [r, c](const PointRegisters& f) { return f.transform.product[r][c]; });
     }
     for (std::size_t r = 0; r < rows; ++r)
         port(fmt::format("accumulator_{}", axes[r]), m.accumulator_bits(),
-             [r](const Flight& f) { return f.transform.accumulator[r]; });
+             [r](const PointRegisters& f) { return f.transform.accumulator[r]; });
     for (std::size_t r = 0; t.rounds() && r < rows; ++r)
         port(fmt::format("result_{}", axes[r]), t.result_bits(static_cast<int>(r)),
-             [r](const Flight& f) { return f.transform.result[r]; });
+             [r](const PointRegisters& f) { return f.transform.result[r]; });
 }
 
 void StageSignals::divider_ports(const shadow::PostProcessPipeline& plan) {
     const int bits = plan.lookup.spec.accumulator_bits();
-    port("divisor", bits, [](const Flight& f) { return f.divider.dividend[3]; });
+    port("divisor", bits, [](const PointRegisters& f) { return f.divider.dividend[3]; });
     for (std::size_t r = 0; r < 3; ++r) {
         const int quotient_bits = plan.divide.bits(static_cast<int>(r)) + 1;
         port(fmt::format("dividend_{}", axes[r]), bits,
-             [r](const Flight& f) { return f.divider.dividend[r]; });
-        port(fmt::format("remainder_{}", axes[r]), bits, [r](const Flight& f) {
+             [r](const PointRegisters& f) { return f.divider.dividend[r]; });
+        port(fmt::format("remainder_{}", axes[r]), bits, [r](const PointRegisters& f) {
             return static_cast<std::int64_t>(f.divider.row[r].remainder);
         });
-        port(fmt::format("quotient_{}", axes[r]), quotient_bits, [r](const Flight& f) {
+        port(fmt::format("quotient_{}", axes[r]), quotient_bits, [r](const PointRegisters& f) {
             return static_cast<std::int64_t>(f.divider.row[r].quotient);
         });
     }
@@ -94,31 +94,32 @@ void StageSignals::place_ports(const shadow::PostProcessPipeline& plan) {
         const int nominal = row == 2 ? m.z_bits + 1 : m.xy_bits + m.fraction_bits + 1;
         return 1 + (plan.divides ? nominal : std::max(nominal, plan.transform.result_bits(row)));
     };
-    port("x", bits(0), [](const Flight& f) { return f.lookup.x; });
-    port("y", bits(1), [](const Flight& f) { return f.lookup.y; });
-    port("code", bits(2), [](const Flight& f) { return f.lookup.code; });
-    port("outside", 1, [](const Flight& f) { return f.lookup.outside; });
-    port("tx", m.xy_bits + 1, [](const Flight& f) { return f.lookup.tx; });
-    port("ty", m.xy_bits + 1, [](const Flight& f) { return f.lookup.ty; });
+    port("x", bits(0), [](const PointRegisters& f) { return f.lookup.x; });
+    port("y", bits(1), [](const PointRegisters& f) { return f.lookup.y; });
+    port("code", bits(2), [](const PointRegisters& f) { return f.lookup.code; });
+    port("outside", 1, [](const PointRegisters& f) { return f.lookup.outside; });
+    port("tx", m.xy_bits + 1, [](const PointRegisters& f) { return f.lookup.tx; });
+    port("ty", m.xy_bits + 1, [](const PointRegisters& f) { return f.lookup.ty; });
     if (m.fraction_bits == 0) return;
-    port("fx", m.fraction_bits, [](const Flight& f) { return f.lookup.fx; });
-    port("fy", m.fraction_bits, [](const Flight& f) { return f.lookup.fy; });
+    port("fx", m.fraction_bits, [](const PointRegisters& f) { return f.lookup.fx; });
+    port("fy", m.fraction_bits, [](const PointRegisters& f) { return f.lookup.fy; });
 }
 
 void StageSignals::fetch_ports(const shadow::LookupPipeline& plan) {
     for (std::size_t k = 0; k < (plan.blends ? 4u : 1u); ++k)
         port(fmt::format("texel_{}{}", k & 1, k >> 1), plan.spec.z_bits,
-             [k](const Flight& f) { return f.lookup.texel[k]; });
+             [k](const PointRegisters& f) { return f.lookup.texel[k]; });
 }
 
 void StageSignals::interpolate_ports(const hw::MachineSpec& m) {
     const int along_x = m.z_bits + m.fraction_bits;
-    port("upper", along_x, [](const Flight& f) { return f.lookup.upper; });
-    port("lower", along_x, [](const Flight& f) { return f.lookup.lower; });
-    port("blend", along_x + m.fraction_bits, [](const Flight& f) { return f.lookup.blend; });
+    port("upper", along_x, [](const PointRegisters& f) { return f.lookup.upper; });
+    port("lower", along_x, [](const PointRegisters& f) { return f.lookup.lower; });
+    port("blend", along_x + m.fraction_bits,
+         [](const PointRegisters& f) { return f.lookup.blend; });
 }
 
-void StageSignals::set(VcdText& vcd, const StageCycle& s, const Flight* in_it) const {
+void StageSignals::set(VcdText& vcd, const StageCycle& s, const PointRegisters* in_it) const {
     vcd.set(state_, static_cast<std::int64_t>(s.activity));
     vcd.set(valid_, s.valid);
     vcd.set(ready_, s.ready);

@@ -16,12 +16,12 @@ public:
     StageSignals(VcdText&, const std::string& scope, shadow::StageKind, bool first,
                  const shadow::PostProcessPipeline&);
 
-    void set(VcdText&, const StageCycle&, const shadow::Flight* in_it) const;
+    void set(VcdText&, const StageCycle&, const shadow::PointRegisters* in_it) const;
 
 private:
     struct Port {
         VcdText::Signal signal;
-        std::function<std::int64_t(const shadow::Flight&)> read;
+        std::function<std::int64_t(const shadow::PointRegisters&)> read;
     };
     template <class Read>
     void port(const std::string& name, int bits, Read read);

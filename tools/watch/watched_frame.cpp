@@ -36,7 +36,9 @@ WatchedFrame::WatchedFrame(const RenderJob& job)
 }
 
 std::unique_ptr<WatchedFrame::Machine> WatchedFrame::machine() {
-    return std::make_unique<Machine>(observer_, light_, matrix_, settings_, mask_);
+    return std::make_unique<Machine>(
+        shadow::DepthMaps<hw::Depth32>{.observer = observer_, .light = light_}, matrix_, settings_,
+        mask_);
 }
 
 }  // namespace umbra78::tools

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 
 namespace umbra78::shadow {
 namespace {
@@ -77,6 +79,14 @@ TEST_F(ArrayLookup, TheWidthsEnds) {
         EXPECT_FALSE(shadow(parts(out, 8), middle, k)) << out;
         EXPECT_FALSE(shadow(middle, parts(out, 8), k)) << out;
     }
+    // At the right and lower edge half the weight is the background's, so the blend would be
+    // 32767.5 and a deep point in shadow: but the edge itself is outside.
+    lookup = Lookup::bilinear;
+    EXPECT_FALSE(shadow(whole(16), middle, whole(65534)));
+    EXPECT_FALSE(shadow(middle, whole(16), whole(65534)));
+    EXPECT_TRUE(shadow(parts(16 * 256 - 1, 8), middle, whole(65534)));
+    EXPECT_TRUE(shadow(middle, parts(16 * 256 - 1, 8), whole(65534)));
+    lookup = Lookup::nearest;
     // Dither comes before the test, and may lead out of the map or back; Q.7 texels.
     EXPECT_FALSE(shadow(whole(0), middle, k, {-1, 0}));
     EXPECT_FALSE(shadow(middle, whole(0), k, {0, -1}));
@@ -107,6 +117,49 @@ TEST_F(ArrayLookup, TheTexelsEnds) {
     background = Background::fall_back;
     EXPECT_TRUE(shadow(parts(23, 2), y, whole(2001)));
     EXPECT_FALSE(shadow(parts(23, 2), y, whole(2000)));
+}
+
+// The blend is lerp(a, b, t) = a + t (b - a), each operation rounded once to a word: K at the blend
+// is lit, one unit in K's last place above it is in shadow. On rationals, rounded step by step.
+TEST_F(ArrayLookup, TheBlendIsRoundedStepByStep) {
+    using fixed::Rational;
+    test::Random random;
+    const auto power = [](int n) {
+        const Rational p(std::int64_t{1} << std::abs(n));
+        return n < 0 ? Rational(1) / p : p;
+    };
+    const auto value = [&](const Float38& f) {
+        return f.is_zero() ? Rational(0)
+                           : Rational(f.mantissa()) * power(f.biased_exponent() - 512 - 27);
+    };
+    const auto kept = [&](const Rational& exact) {
+        return value(Float38::from_rational(exact)).reduced();
+    };
+    const auto lerp = [&](const Rational& a, const Rational& b, const Rational& t) {
+        return kept(a + kept(t * kept(b - a)));
+    };
+    lookup = Lookup::bilinear;
+    for (int round = 0; round < 3000; ++round) {
+        std::array<Rational, 4> z;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::int64_t code = random.between(0, 65534);
+            light.depth[(3 + k / 2) * 16 + 5 + k % 2] = static_cast<hw::Depth16>(code);
+            z[k] = code;
+        }
+        // From the centre of texel (5, 3) on; 20 fraction bits.
+        const std::int64_t fx = random.between(0, (1 << 20) - 1);
+        const std::int64_t fy = random.between(0, (1 << 20) - 1);
+        const Rational tx(fx, 1 << 20), ty(fy, 1 << 20);
+        const Float38 blend =
+            Float38::from_rational(lerp(lerp(z[0], z[1], tx), lerp(z[2], z[3], tx), ty));
+        if (blend.is_zero()) continue;
+        const Float38 above =
+            Float38::from_rational(value(blend) + power(blend.biased_exponent() - 512 - 27));
+        const Float38 x = parts((std::int64_t{11} << 19) + fx, 20);
+        const Float38 y = parts((std::int64_t{7} << 19) + fy, 20);
+        ASSERT_FALSE(shadow(x, y, blend)) << round;
+        ASSERT_TRUE(shadow(x, y, above)) << round;
+    }
 }
 
 // W <= 0 has no quotient: lit. Else X, Y and K are divided by it, and by an affine matrix's not.

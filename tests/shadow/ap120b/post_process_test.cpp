@@ -357,10 +357,10 @@ TEST(ArrayCost, IsTheSumOfItsSteps) {
 // Section 18's two tables: a routine's clocks an element, fast and standard; a step's elements a
 // visible pixel and its calls a scan line.
 TEST(ArrayCost, EveryStepIsPublished) {
-    using enum ArrayStepSource;
+    using enum ArrayCycleSource;
     struct Step {
         std::string_view name;
-        ArrayStepSource source;
+        ArrayCycleSource source;
         int fast, standard;                    // clocks an element
         int nearest, nearest_calls;
         int bilinear, bilinear_calls;
@@ -402,7 +402,7 @@ TEST(ArrayCost, EveryStepIsPublished) {
             const int n = elements[static_cast<std::size_t>(lookup)];
             if (n == 0 || (!dithered && e.name.starts_with("dither"))) continue;
             ASSERT_LT(k, c.steps);
-            const ArrayStep& got = c.list()[k++];
+            const ArrayCostStep& got = c.list()[k++];
             EXPECT_EQ(got.name, e.name);
             EXPECT_EQ(got.source, e.source) << e.name;
             EXPECT_EQ(got.elements, n) << e.name;

@@ -145,10 +145,11 @@ std::vector<std::int64_t> clock_frame(Machine& machine, const std::vector<hw::St
 
 // The same by the oracle, and the frame's cycles.
 template <class Depth>
-std::vector<std::int64_t> foretell(const SlowStages& stages, const std::vector<Depth>& depth,
-                                   std::uint32_t background,
-                                   const std::vector<hw::StageMask>& holds,
-                                   std::uint64_t& cycles) {
+std::vector<std::int64_t> predicted_writes(const SlowStages& stages,
+                                           const std::vector<Depth>& depth,
+                                           std::uint32_t background,
+                                           const std::vector<hw::StageMask>& holds,
+                                           std::uint64_t& cycles) {
     CycleOracle oracle(stages.stays, stages.read_cycles, stages.slot_cycles, holds);
     std::vector<std::int64_t> writes;
     for (const Depth code : depth)

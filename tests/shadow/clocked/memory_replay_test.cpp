@@ -55,7 +55,7 @@ Settings random_timing(Random& random, Settings s) {
     const auto between = [&](int low, int high) {
         return static_cast<int>(random.between(low, high));
     };
-    s.timing.clock_ns = test::pick(random, {50, 167, 200, 333, 1000});
+    s.timing.clock_ns = test::pick(random, {100, 167, 200, 333, 1000});
     s.timing.light_banks = test::pick(random, {1, 4});
     hw::DramTiming& t = s.timing.dram;
     t.rows = test::pick(random, {hw::DramRows::lines, hw::DramRows::words});

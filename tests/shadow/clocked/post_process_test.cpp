@@ -21,6 +21,7 @@ namespace {
 using test::OwnedStore;
 using test::Random;
 using test::describe;
+using test::maps_of;
 
 template <class Depth, class Rule = hw::ValidReady>
 using Clocked = ClockedPostProcess<Depth, Rule>;
@@ -66,7 +67,7 @@ void expect_every_cycle_accounted(const Clocked<Depth>& machine) {
 // A frame of one visible pixel, the first, whose reader is held in the cycles given.
 struct Tail {
     std::uint64_t cycles;
-    Account account;
+    CycleAccount account;
 };
 Tail run_tail(std::size_t visible, const std::vector<std::uint64_t>& held) {
     const Settings s = figure_settings(3);  // S = 3, L = 10, a pixel a cycle
@@ -77,7 +78,7 @@ Tail run_tail(std::size_t visible, const std::vector<std::uint64_t>& held) {
     light.store.clear(small.machine);
     if (visible < observer.depth.size()) observer.depth[visible] = 1000;
     std::vector<std::uint8_t> mask(256);
-    const auto machine = std::make_unique<Clocked<hw::Depth16>>(observer.store, light.store,
+    const auto machine = std::make_unique<Clocked<hw::Depth16>>(maps_of(observer, light),
                                                                 hw::MatrixWords{}, small, mask);
     while (!machine->done() && machine->cycles() < 10000) {
         const bool hold = std::find(held.begin(), held.end(), machine->cycles()) != held.end();
@@ -132,9 +133,9 @@ void run_trial(Random& random, const Settings& s, const OwnedStore<Depth>& obser
                Trial& sum) {
     std::vector<std::uint8_t> expected(observer.depth.size(), 3), mask(expected.size(), 5);
     const PostProcessCounts counts =
-        post_process(observer.store, light.store, matrix, s, expected);
+        post_process(maps_of(observer, light), matrix, s, expected);
     const auto machine =
-        std::make_unique<Clocked<Depth>>(observer.store, light.store, matrix, s, mask);
+        std::make_unique<Clocked<Depth>>(maps_of(observer, light), matrix, s, mask);
     const std::vector<hw::StageMask> holds = test::random_holds(
         random, machine->chain().stages(), observer.depth.size() * 4, in_64);
     const test::SlowStages stages = test::slow_stages(s, matrix.affine);
@@ -151,8 +152,8 @@ void run_trial(Random& random, const Settings& s, const OwnedStore<Depth>& obser
     if (mask != expected)
         umbra78::test::expect_equal_buffers("mask", s.machine.size_px(), expected, mask);
     std::uint64_t cycles = 0;
-    EXPECT_EQ(writes,
-              test::foretell(stages, observer.depth, s.machine.background(), holds, cycles));
+    EXPECT_EQ(writes, test::predicted_writes(stages, observer.depth, s.machine.background(),
+                                             holds, cycles));
     EXPECT_EQ(machine->cycles(), cycles);
     EXPECT_EQ(machine->account().closed_form,
               test::slow_closed_form(stages, observer.depth, s.machine.background()));
@@ -211,8 +212,7 @@ TEST(ClockedPostProcess, FiguresTakeTheirClosedForm) {
         test::Frame<> frame(figures.scene(), s);
         std::vector<std::uint8_t> mask(frame.buffers.lights[0].mask.size());
         const auto machine = std::make_unique<Clocked<hw::Depth16>>(
-            frame.buffers.observer, frame.buffers.lights[0].map,
-            frame.matrices.lights[0].observer_to_light, s, mask);
+            frame.buffers.maps(), frame.matrices.lights[0].observer_to_light, s, mask);
         while (!machine->done()) machine->tick();
         umbra78::test::expect_equal_buffers("mask", 512, frame.buffers.lights[0].mask, mask);
         const Schedule plain = schedule<hw::Depth16>(
@@ -225,6 +225,29 @@ TEST(ClockedPostProcess, FiguresTakeTheirClosedForm) {
         std::cout << "figure " << figure << ": " << machine->cycles() << " cycles, a point every "
                   << machine->plan().slot_cycles << ", " << machine->plan().latency
                   << " on its way\n";
+    }
+}
+
+// What the reader waited for is the stage that kept it: the first one where its own clock is held,
+// a later one where it is that one's.
+TEST(ClockedPostProcess, TheReadersWaitsAreBlamedOnTheStageThatKeptIt) {
+    for (const int stage : {0, 1, 4, 6}) {
+        Settings s = figure_settings(3);
+        s.machine.xy_bits = 4;
+        OwnedStore<hw::Depth16> observer(4), light(4);
+        std::fill(observer.depth.begin(), observer.depth.end(), hw::Depth16{1000});
+        light.store.clear(s.machine);
+        std::vector<std::uint8_t> mask(256);
+        const auto machine = std::make_unique<Clocked<hw::Depth16>>(maps_of(observer, light),
+                                                                    hw::MatrixWords{}, s, mask);
+        while (!machine->done()) {
+            const bool hold = machine->cycles() >= 100 && machine->cycles() < 200;
+            machine->tick(hold ? hw::StageMask{1} << stage : 0);
+        }
+        EXPECT_GT(machine->reader().blocked, 50u) << stage;
+        for (int k = 0; k < machine->chain().stages(); ++k)
+            EXPECT_EQ(machine->reader_blocked_by(k), k == stage ? machine->reader().blocked : 0u)
+                << "held " << stage << ", blamed " << k;
     }
 }
 
@@ -259,17 +282,16 @@ bool found() {
     EXPECT_EQ(load_matrices(figures.scene(), s, matrices), FrameStatus::ok);
     std::vector<std::uint8_t> expected(1024), mask(1024);
     const PostProcessCounts counts =
-        post_process(observer.store, light.store, matrices.lights[0].observer_to_light, s,
-                     expected);
+        post_process(maps_of(observer, light), matrices.lights[0].observer_to_light, s, expected);
     const auto machine = std::make_unique<Clocked<hw::Depth16, Rule>>(
-        observer.store, light.store, matrices.lights[0].observer_to_light, s, mask);
+        maps_of(observer, light), matrices.lights[0].observer_to_light, s, mask);
     const auto holds = test::random_holds(random, machine->chain().stages(), 16384, 32);
     const auto writes = test::clock_frame(*machine, holds, 8 * holds.size());
     std::uint64_t cycles = 0;
-    const auto foretold = test::foretell(test::slow_stages(s, true), observer.depth,
-                                         s.machine.background(), holds, cycles);
+    const auto predicted = test::predicted_writes(test::slow_stages(s, true), observer.depth,
+                                                  s.machine.background(), holds, cycles);
     return !machine->done() || mask != expected || machine->counts().shadowed != counts.shadowed ||
-           writes != foretold || machine->cycles() != cycles;
+           writes != predicted || machine->cycles() != cycles;
 }
 
 TEST(ClockedPostProcess, PlantedFaultsAreFound) {

@@ -52,7 +52,7 @@ TEST(Ledger, ClosedFormIsTheClocks) {
         const hw::MatrixWords matrix = test::random_matrix(random, s.machine, round % 2 == 0);
         std::vector<std::uint8_t> mask(observer.depth.size());
         const auto machine = std::make_unique<ClockedPostProcess<hw::Depth32>>(
-            observer.store, light.store, matrix, s, mask);
+            test::maps_of(observer, light), matrix, s, mask);
         while (!machine->done()) machine->tick();
         const PostProcessPipeline plan(s, matrix);
         const Schedule plain = schedule<hw::Depth32>(observer.depth, s.machine.background(),
@@ -93,7 +93,7 @@ TEST(Ledger, ScheduleIsTheScan) {
 // The stages are those of hw/MACHINE.md, section 16, with their stays.
 TEST(Ledger, StagesAreTheTables) {
     struct Row {
-        Unit unit;
+        PostProcessUnit unit;
         std::string_view stage;
         int stay;
     };
@@ -107,7 +107,7 @@ TEST(Ledger, StagesAreTheTables) {
             EXPECT_EQ(l.rows[k].stay, expected[k].stay) << k;
         }
     };
-    using enum Unit;
+    using enum PostProcessUnit;
     Random random;
     const Settings four = figure_settings(4);
     expect_rows(four, test::random_matrix(random, four.machine, true),
@@ -135,7 +135,7 @@ TEST(Ledger, BlamesTheStageThatWasHeld) {
     const int stages = closed_form(Schedule{}, PostProcessPipeline(s, matrix)).count - 1;
     for (int held = 1; held < stages; ++held) {
         const auto machine = std::make_unique<ClockedPostProcess<hw::Depth32>>(
-            observer.store, light.store, matrix, s, mask);
+            test::maps_of(observer, light), matrix, s, mask);
         while (!machine->done())
             machine->tick(machine->cycles() % 103 < 60 ? hw::StageMask{1} << held : 0);
         const PostProcessLedger l = ledger_of(*machine);

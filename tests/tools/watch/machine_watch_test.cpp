@@ -42,7 +42,7 @@ TEST(MachineWatch, AttachedLateItReportsTheSame) {
             EXPECT_EQ(r.released, early.reader().released);
             EXPECT_EQ(r.pixel, early.reader().pixel);
             if (r.released == 0) continue;
-            const shadow::Flight& f = twin->flight(twin->chain().slot(0));
+            const shadow::PointRegisters& f = twin->flight(twin->chain().slot(0));
             EXPECT_EQ(r.pixel, (std::size_t(f.py) << bits) + std::size_t(f.px));
             EXPECT_EQ(r.code, f.code);
             ++released;

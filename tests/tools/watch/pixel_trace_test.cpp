@@ -239,7 +239,8 @@ TEST(PixelTrace, AnyPixelOfAnyMachine) {
         const shadow::Settings s = test::random_machine(random);
         const auto frame = test::random_frame(random, s);
         std::vector<std::uint8_t> mask(frame->mask().size());
-        shadow::post_process(frame->observer(), frame->light(), frame->matrix(), s, mask);
+        shadow::post_process<hw::Depth32>({.observer = frame->observer(), .light = frame->light()},
+                                          frame->matrix(), s, mask);
         const Pixel at{static_cast<int>(random.between(0, 15)),
                        static_cast<int>(random.between(0, 15))};
         const PixelTrace t = trace_post_process(*frame, at);

@@ -120,7 +120,7 @@ using Watch = MachineWatch<hw::Depth32>;
 
 // The words of the unit that has the point, after the cycle.
 void expect_words(const Dump& dump, const std::string& scope, std::uint64_t ns,
-                  shadow::StageKind kind, const shadow::Flight& f,
+                  shadow::StageKind kind, const shadow::PointRegisters& f,
                   const shadow::PostProcessPipeline& plan) {
     const auto expect = [&](const char* name, std::int64_t value) {
         EXPECT_EQ(dump.word(scope + name, ns), value) << scope << name;
