@@ -56,8 +56,20 @@ TEST_F(StageDeathTest, OtherWidths) {
 
 TEST_F(StageDeathTest, APlaneTooShort) {
     asked = settings;
-    frame.buffers.picture = frame.buffers.picture.first(1023);
-    expect_death("picture");
+    const FrameBuffers<hw::Depth16> whole = frame.buffers;
+    LightBuffers<hw::Depth16>& light = frame.buffers.lights[0];
+    for (std::span<std::uint8_t>* const plane :
+         {&frame.buffers.picture, &frame.buffers.observer.intensity, &light.mask, &light.edges,
+          &light.filtered}) {
+        *plane = plane->first(1023);
+        expect_death("a plane of bytes");
+        frame.buffers = whole;
+    }
+    for (std::span<hw::Depth16>* const plane : {&frame.buffers.observer.depth, &light.map.depth}) {
+        *plane = plane->first(1023);
+        expect_death("a plane of Z");
+        frame.buffers = whole;
+    }
 }
 
 }  // namespace
