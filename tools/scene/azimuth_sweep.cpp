@@ -2,6 +2,7 @@
 
 #include "fixed/decimal.hpp"
 #include "fixed/rounding.hpp"
+#include "tools/scene/scene_keys.hpp"
 #include "tools/scene/table_reader.hpp"
 
 #include <fmt/format.h>
@@ -11,14 +12,12 @@
 namespace umbra78::tools {
 namespace {
 
-constexpr NumberRange azimuth_range{16, -360 * world_one, 360 * world_one};
-
-std::int64_t read_end(const std::string& where, const std::string& text) {
-    TomlNode node{.kind = TomlNode::Kind::number, .where = where, .text = text};
+std::int64_t read_end(const std::string& where, const std::string& text, FirstError& error) {
+    const TomlNode node{.kind = TomlNode::Kind::number, .where = where, .text = text};
     const auto read = fixed::parse_decimal(text, 0, 64);
     if (text.empty() || read.status == fixed::DecimalStatus::bad_character)
-        fail(node, "write two azimuths in degrees, such as -100:80");
-    return read_number(node, "an azimuth", azimuth_range);
+        report(error, node, "write two azimuths in degrees, such as -100:80");
+    return read_number(node, "an azimuth", azimuth_range, error);
 }
 
 }  // namespace
@@ -37,12 +36,13 @@ std::string AzimuthSweep::override_at(int frame, int frames) const {
     return fmt::format("{}.azimuth={}", view, at(frame, frames));
 }
 
-AzimuthSweep read_sweep(const std::string& view, const std::string& text) {
+AzimuthSweep read_sweep(const std::string& view, const std::string& text, FirstError& error) {
     const std::string where = fmt::format("--{} {}", view, text);
     const std::size_t colon = text.find(':');
     const std::string from = text.substr(0, colon);
     const std::string to = colon == std::string::npos ? "" : text.substr(colon + 1);
-    return {view, read_end(where, from), read_end(where, to)};
+    const std::int64_t first = read_end(where, from, error);
+    return {view, first, read_end(where, to, error)};
 }
 
 }  // namespace umbra78::tools

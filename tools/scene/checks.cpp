@@ -75,10 +75,10 @@ std::string explain(shadow::FrameStatus status) {
     return "the frame cannot be drawn";
 }
 
-void check_matrices(const LoadedScene& scene) {
+void check_matrices(const LoadedScene& scene, FirstError& error) {
     shadow::FrameMatrices matrices;
     const auto status = shadow::load_matrices(scene.view(), scene.settings, matrices);
-    if (status != shadow::FrameStatus::ok) throw SceneError(scene.name + ": " + explain(status));
+    if (status != shadow::FrameStatus::ok) error.report(scene.name + ": " + explain(status));
 }
 
 std::vector<std::string> warnings_of(const LoadedScene& scene) {

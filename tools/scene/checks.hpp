@@ -1,17 +1,19 @@
-// What stands in the way of a frame, and what a user should be told of before it is drawn.
+// Whether a scene can be drawn, and what its user should know before it is.
 #pragma once
 
-#include "tools/scene/scene_file.hpp"
+#include "tools/scene/first_error.hpp"
+#include "tools/scene/scene.hpp"
 
 namespace umbra78::tools {
 
-// Throws SceneError if the scene's matrices do not fit the machine's words.
-void check_matrices(const LoadedScene&);
+// Reports an error if the scene's matrices do not fit the machine's words.
+void check_matrices(const LoadedScene&, FirstError&);
 
-// Nothing drawn, a caster outside the light's volume, surfaces cut off by near and far.
+// A line each for: nothing to draw, casters outside the light's volume, surfaces that the
+// observer's near and far cut off, a picture that shows nothing.
 std::vector<std::string> warnings_of(const LoadedScene&);
 
-// One line for a frame that cannot be drawn, with the remedy; "" for ok.
+// Why a frame cannot be drawn and the remedy, in a line; "" for FrameStatus::ok.
 std::string explain(shadow::FrameStatus);
 
 }  // namespace umbra78::tools

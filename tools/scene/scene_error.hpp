@@ -1,11 +1,11 @@
-// What is wrong with a scene or a setting: one line for the user.
+// A FirstError as an exception: one line that says where and what is wrong, and the remedy. The
+// program throws it; reading without exceptions is read_scene().
 #pragma once
 
 #include <stdexcept>
 
 namespace umbra78::tools {
 
-// what() is one line: where, what, and the remedy.
 struct SceneError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -1,10 +1,7 @@
 #include "tools/scene/scene_file.hpp"
 
-#include "tools/scene/checks.hpp"
-#include "tools/scene/settings_text.hpp"
-#include "tools/scene/surfaces.hpp"
-#include "tools/scene/table_reader.hpp"
-#include "tools/scene/views.hpp"
+#include "tools/scene/azimuth_sweep.hpp"
+#include "tools/scene/toml_text.hpp"
 
 #include <fmt/format.h>
 
@@ -37,31 +34,35 @@ std::string read_text_file(const std::string& path) {
     return text;
 }
 
+void throw_if_any(const FirstError& error) {
+    if (error.any()) throw SceneError(error.line());
+}
+
 }  // namespace
 
 LoadedScene parse_scene(std::string_view text, const std::string& name,
                         std::span<const std::string> overrides) {
-    constexpr std::array<std::string_view, 7> keys{"observer", "light", "material", "sphere",
-                                                   "plane",    "patch", "settings"};
-    TomlNode root = parse_toml(text, name);
-    const TomlNode set = apply_view_overrides(root, overrides);
-    const TableReader in(root, "the scene", keys);
-
-    LoadedScene scene;
-    scene.name = name;
-    read_surfaces(root, scene);
-    scene.observer = read_observer(root, scene.patches);
-    scene.light = read_light(root, scene.patches);
-    const bool perspective = scene.observer.projection == raster::Projection::perspective ||
-                             scene.light.projection == raster::Projection::perspective;
-    scene.settings = read_settings(in.find("settings"), set, perspective);
-    check_matrices(scene);
-    scene.warnings = warnings_of(scene);
-    return scene;
+    SceneResult result = read_scene(text, name, overrides);
+    if (!result.ok()) throw SceneError(result.error);
+    return std::move(result.scene);
 }
 
 LoadedScene load_scene(const std::string& path, std::span<const std::string> overrides) {
     return parse_scene(read_text_file(path), path, overrides);
+}
+
+TomlNode parse_override(const std::string& key_and_value) {
+    FirstError error;
+    TomlNode node = parse_override(key_and_value, error);
+    throw_if_any(error);
+    return node;
+}
+
+AzimuthSweep read_sweep(const std::string& view, const std::string& text) {
+    FirstError error;
+    AzimuthSweep sweep = read_sweep(view, text, error);
+    throw_if_any(error);
+    return sweep;
 }
 
 }  // namespace umbra78::tools

@@ -21,9 +21,13 @@ using shadow::Setting;
 using shadow::SettingKind;
 using shadow::Settings;
 
-std::int64_t read(const Setting& setting, const TomlNode& node, const std::string& called) {
-    if (setting.kind == SettingKind::choice) return read_choice(node, called, setting.names);
-    return read_number(node, called, {setting.fraction, setting.min, setting.max});
+constexpr std::string_view title = "[settings]";
+
+std::int64_t read(const Setting& setting, const TomlNode& node, const std::string& called,
+                  FirstError& error) {
+    if (setting.kind == SettingKind::choice)
+        return read_choice(node, called, setting.names, error);
+    return read_number(node, called, {setting.fraction, setting.min, setting.max}, error);
 }
 
 std::int64_t default_of(const Setting& setting) { return setting.get(Settings{}); }
@@ -56,28 +60,34 @@ std::string print_range(const Setting& setting) {
     return print(setting, setting.min) + " .. " + print(setting, setting.max);
 }
 
-void apply_settings(const TomlNode& table, Settings& settings) {
+void apply_settings(const TomlNode& table, Settings& settings, FirstError& error) {
     std::vector<std::string_view> keys{"profile"}, profiles;
     for (const Setting& setting : shadow::settings_table()) keys.push_back(setting.key);
     for (const shadow::Profile& profile : shadow::profiles()) profiles.push_back(profile.name);
-    const TableReader in(table, "[settings]", keys);
+    check_keys(table, title, keys, error);
+    if (error.any()) return;
 
-    for (const TomlNode& node : table.children)
-        if (node.key == "profile")
-            shadow::apply(shadow::profiles()[static_cast<std::size_t>(
-                              read_choice(node, in.called("profile"), profiles))],
-                          settings);
+    const auto called = [](const TomlNode& node) {
+        return fmt::format("'{}' in {}", node.key, title);
+    };
+    for (const TomlNode& node : table.children) {
+        if (node.key != "profile") continue;
+        const int number = read_choice(node, called(node), profiles, error);
+        shadow::apply(shadow::profiles()[static_cast<std::size_t>(number)], settings);
+    }
     for (const TomlNode& node : table.children) {
         const Setting* setting = shadow::find_setting(node.key);
-        if (!setting) continue;
-        setting->set(settings, read(*setting, node, in.called(node.key)));
+        if (!setting || error.any()) continue;
+        setting->set(settings, read(*setting, node, called(node), error));
         if (!shadow::closes(settings))  // a width with gaps in its range
-            fail(node, fmt::format("{} is {}, which the machine cannot be built with ({})",
-                                   in.called(node.key), node.text, setting->meaning));
+            report(error, node,
+                   fmt::format("{} is {}, which the machine cannot be built with ({})",
+                               called(node), node.text, setting->meaning));
     }
 }
 
-Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective) {
+Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective,
+                       FirstError& error) {
     const TomlNode none;
     const TomlNode& first = file ? *file : none;
     const auto given = [&](std::string_view key) {
@@ -86,8 +96,8 @@ Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool per
     Settings settings;
     if (perspective && !given("profile") && !given("coefficient_bits"))
         shadow::apply(*shadow::find_profile("perspective24"), settings);
-    apply_settings(first, settings);
-    apply_settings(overrides, settings);
+    apply_settings(first, settings, error);
+    apply_settings(overrides, settings, error);
     return settings;
 }
 

@@ -1,4 +1,5 @@
-// Settings as text: read from a scene file or --set, and printed, all from the one table.
+// Settings as text: read from a scene file or --set, and printed. Keys, ranges, defaults and
+// meanings are those of shadow::settings_table().
 #pragma once
 
 #include "shadow/frame/profiles.hpp"
@@ -11,18 +12,19 @@
 
 namespace umbra78::tools {
 
-// "bilinear", "192", "0.3515625": exact.
+// A word of a setting: "bilinear", "192", "0.3515625", in all its decimals.
 std::string print(const shadow::Setting&, std::int64_t word);
+std::string print_range(const shadow::Setting&);        // "4 .. 12", "nearest, bilinear"
 std::string print_source(const shadow::ProfileValue&);  // "assumed: ...", or the source
-std::string print_range(const shadow::Setting&);  // "4 .. 12", "nearest | bilinear"
 
-// Applies a table's `profile` first and then its keys in their order. Throws SceneError.
-void apply_settings(const TomlNode& table, shadow::Settings&);
+// Applies a table's `profile` first and then its keys in their order. After an error the settings
+// are not to be used.
+void apply_settings(const TomlNode& table, shadow::Settings&, FirstError&);
 
-// The [settings] of a file and the values of --set, which win. A perspective view takes the
-// profile perspective24 unless a profile or coefficient_bits is given.
-shadow::Settings read_settings(const TomlNode* file, const TomlNode& overrides,
-                               bool perspective);
+// The defaults, then the [settings] of a file (null: there are none), then the overrides. A
+// perspective view takes the profile perspective24 unless a profile or coefficient_bits is given.
+shadow::Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective,
+                               FirstError&);
 
 std::string settings_help();      // for --help: a line a setting
 std::string settings_markdown();  // the table and the profiles, for documents

@@ -15,68 +15,61 @@ namespace {
 using Kind = TomlNode::Kind;
 using Names = std::vector<std::string>;
 
-constexpr NumberRange level_range{0, 0, 255};
-constexpr NumberRange shininess_range{0, 0, 8};
-
 // The tables [[key]], of which there may be none.
-std::span<const TomlNode> tables(const TomlNode& root, std::string_view key) {
+std::span<const TomlNode> tables(const TomlNode& root, std::string_view key, FirstError& error) {
     const TomlNode* node = root.find(key);
     if (!node) return {};
-    if (node->kind != Kind::array)
-        fail(*node, fmt::format("[{}] must be written [[{}]]: there may be many", key, key));
-    return node->children;
+    if (node->kind == Kind::array) return node->children;
+    report(error, *node, fmt::format("[{}] must be written [[{}]]: there may be many", key, key));
+    return {};
 }
 
-Names read_materials(const TomlNode& root, std::vector<raster::Material>& materials) {
-    constexpr std::array<std::string_view, 4> keys{"name", "diffuse", "specular", "shininess"};
+Names read_materials(const TomlNode& root, std::vector<raster::Material>& materials,
+                     FirstError& error) {
     Names names;
-    for (const TomlNode& node : tables(root, "material")) {
-        const TableReader in(node, "[[material]]", keys);
-        const TomlNode& name_node = in.need("name", "\"clay\"");
-        const std::string name = read_text(name_node, in.called("name"));
+    for (const TomlNode& node : tables(root, "material", error)) {
+        const TableReader in(node, scene_table("material"), error);
+        const std::string name = in.needed_text("name");
         if (std::find(names.begin(), names.end(), name) != names.end())
-            fail(name_node, fmt::format("there is a material '{}' already; rename one", name));
-        const auto word = [&](const char* key, const NumberRange& range, std::int32_t otherwise) {
-            return static_cast<std::int32_t>(in.number(key, range, otherwise));
+            in.report(in.need("name"),
+                      fmt::format("there is a material '{}' already; rename one", name));
+        const auto word = [&](const char* key) {
+            return static_cast<std::int32_t>(in.number(key));
         };
-        const raster::Material plain;
-        materials.push_back({word("diffuse", level_range, plain.diffuse),
-                             word("specular", level_range, plain.specular),
-                             word("shininess", shininess_range, plain.shininess)});
+        materials.push_back({word("diffuse"), word("specular"), word("shininess")});
         names.push_back(name);
     }
     if (materials.size() >= std::numeric_limits<std::uint16_t>::max())
-        fail(*root.find("material"), "there are 65535 materials or more; use fewer");
+        report(error, *root.find("material"), "there are 65535 materials or more; use fewer");
     materials.push_back({});  // of surfaces that name none
     return names;
 }
 
+// The material's number; that of the last one for a surface that names none.
 std::uint16_t read_material(const TableReader& in, const Names& names) {
     const TomlNode* node = in.find("material");
     if (!node) return static_cast<std::uint16_t>(names.size());
-    const std::string name = read_text(*node, in.called("material"));
+    const std::string name = read_text(*node, in.called("material"), in.error());
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
         const std::vector<std::string_view> known(names.begin(), names.end());
-        fail(*node, fmt::format("unknown material '{}' in {}; {}", name, in.title(),
-                                known.empty() ? "add a [[material]] of that name"
-                                              : suggest(name, known)));
+        in.report(*node, fmt::format("unknown material '{}' in {}; {}", name, in.title(),
+                                     known.empty() ? "add a [[material]] of that name"
+                                                   : suggest(name, known)));
     }
     return static_cast<std::uint16_t>(found - names.begin());
 }
 
-raster::Sphere read_sphere(const TomlNode& node, const Names& names) {
-    constexpr std::array<std::string_view, 3> keys{"centre", "radius", "material"};
-    const TableReader in(node, "[[sphere]]", keys);
+raster::Sphere read_sphere(const TomlNode& node, const Names& names, FirstError& error) {
+    const TableReader in(node, scene_table("sphere"), error);
     raster::Sphere sphere;
-    sphere.centre = read_point(in.need("centre", "[0, 0, 0]"), in.called("centre"));
-    const TomlNode& radius = in.need("radius", "1");
-    sphere.radius =
-        static_cast<std::int32_t>(read_number(radius, in.called("radius"), length_range));
+    sphere.centre = in.needed_point("centre");
+    sphere.radius = static_cast<std::int32_t>(in.needed_number("radius"));
     sphere.material = read_material(in, names);
     for (const std::int64_t c : {sphere.centre.x, sphere.centre.y, sphere.centre.z})
         if (std::abs(c) + sphere.radius > world_reach)
-            fail(radius, "the sphere reaches out of the world, -32767 .. 32767; scale the scene");
+            in.report(in.need("radius"),
+                      "the sphere reaches out of the world, -32767 .. 32767; scale the scene");
     return sphere;
 }
 
@@ -87,36 +80,35 @@ bool parallel(const raster::World& u, const raster::World& v) {
     return minor(u.x, u.y, v.x, v.y) && minor(u.y, u.z, v.y, v.z) && minor(u.x, u.z, v.x, v.z);
 }
 
-raster::Plane read_plane(const TomlNode& node, const Names& names) {
-    constexpr std::array<std::string_view, 4> keys{"origin", "u", "v", "material"};
-    const TableReader in(node, "[[plane]]", keys);
+raster::Plane read_plane(const TomlNode& node, const Names& names, FirstError& error) {
+    const TableReader in(node, scene_table("plane"), error);
     raster::Plane plane;
-    plane.origin = read_point(in.need("origin", "[0, 0, 0]"), in.called("origin"));
-    plane.u = read_point(in.need("u", "[1, 0, 0]"), in.called("u"));
-    plane.v = read_point(in.need("v", "[0, 0, -1]"), in.called("v"));
+    plane.origin = in.needed_point("origin");
+    plane.u = in.needed_point("u");
+    plane.v = in.needed_point("v");
     plane.material = read_material(in, names);
     if (parallel(plane.u, plane.v))
-        fail(*in.find("v"), "'u' and 'v' in [[plane]] are parallel; turn one of them");
+        in.report(in.need("v"), "'u' and 'v' in [[plane]] are parallel; turn one of them");
     const auto reaches_out = [](std::int64_t o, std::int64_t u, std::int64_t v) {
         return std::max({std::abs(o + u), std::abs(o + v), std::abs(o + u + v)}) > world_reach;
     };
     if (reaches_out(plane.origin.x, plane.u.x, plane.v.x) ||
         reaches_out(plane.origin.y, plane.u.y, plane.v.y) ||
         reaches_out(plane.origin.z, plane.u.z, plane.v.z))
-        fail(node, "the plane reaches out of the world, -32767 .. 32767; scale the scene");
+        in.report(node, "the plane reaches out of the world, -32767 .. 32767; scale the scene");
     return plane;
 }
 
 // 16 points, or four rows of four.
-raster::Patch read_patch(const TomlNode& node, const Names& names) {
-    constexpr std::array<std::string_view, 2> keys{"control", "material"};
-    const TableReader in(node, "[[patch]]", keys);
-    const TomlNode& control = in.need("control", "[16 points [x, y, z]]");
+raster::Patch read_patch(const TomlNode& node, const Names& names, FirstError& error) {
+    const TableReader in(node, scene_table("patch"), error);
+    const TomlNode& control = in.need("control");
+    const NumberRange& range = scene_key(scene_table("patch"), "control").range;
     raster::Patch patch;
     std::size_t count = 0;
     const auto add = [&](const TomlNode& point) {
-        const raster::World world =
-            read_point(point, fmt::format("point {} of {}", count, in.called("control")));
+        const raster::World world = read_point(
+            point, fmt::format("point {} of {}", count, in.called("control")), range, error);
         if (count < patch.control.size()) patch.control[count] = world;
         ++count;
     };
@@ -124,7 +116,8 @@ raster::Patch read_patch(const TomlNode& node, const Names& names) {
         const bool is_row = row.kind == Kind::array && !row.children.empty() &&
                             row.children.front().kind == Kind::array;
         if (is_row && row.children.size() != 4)
-            fail(row, fmt::format("a row of {} holds {} points; write 16 points, or 4 rows of 4",
+            in.report(row,
+                      fmt::format("a row of {} holds {} points; write 16 points, or 4 rows of 4",
                                   in.called("control"), row.children.size()));
         if (is_row) {
             for (const TomlNode& point : row.children) add(point);
@@ -133,8 +126,8 @@ raster::Patch read_patch(const TomlNode& node, const Names& names) {
         }
     }
     if (count != patch.control.size())
-        fail(control, fmt::format("{} holds {} points; write 16, or 4 rows of 4",
-                                  in.called("control"), count));
+        in.report(control, fmt::format("{} holds {} points; write 16, or 4 rows of 4",
+                                       in.called("control"), count));
     patch.material = read_material(in, names);
     return patch;
 }
@@ -151,17 +144,18 @@ void append_closed_forms(LoadedScene& scene) {
         scene.patches.push_back(raster::plane_patch(plane));
 }
 
-void read_surfaces(const TomlNode& root, LoadedScene& scene) {
-    const Names names = read_materials(root, scene.materials);
-    for (const TomlNode& node : tables(root, "sphere"))
-        scene.spheres.push_back(read_sphere(node, names));
-    for (const TomlNode& node : tables(root, "plane"))
-        scene.planes.push_back(read_plane(node, names));
+void read_surfaces(const TomlNode& root, LoadedScene& scene, FirstError& error) {
+    const Names names = read_materials(root, scene.materials, error);
+    for (const TomlNode& node : tables(root, "sphere", error))
+        scene.spheres.push_back(read_sphere(node, names, error));
+    for (const TomlNode& node : tables(root, "plane", error))
+        scene.planes.push_back(read_plane(node, names, error));
+    if (error.any()) return;
     append_closed_forms(scene);
-    for (const TomlNode& node : tables(root, "patch"))
-        scene.patches.push_back(read_patch(node, names));
-    scene.free_patches = scene.patches.size() - scene.spheres.size() * raster::patches_per_sphere -
-                         scene.planes.size();
+    const std::size_t closed = scene.patches.size();
+    for (const TomlNode& node : tables(root, "patch", error))
+        scene.patches.push_back(read_patch(node, names, error));
+    scene.free_patches = scene.patches.size() - closed;
 }
 
 }  // namespace umbra78::tools

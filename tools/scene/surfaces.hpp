@@ -1,15 +1,16 @@
 // The surfaces and materials of a scene file.
 #pragma once
 
-#include "tools/scene/scene_file.hpp"
+#include "tools/scene/scene.hpp"
 #include "tools/scene/toml_text.hpp"
 
 namespace umbra78::tools {
 
-// Reads [[material]], [[sphere]], [[plane]] and [[patch]] into the scene's vectors.
-void read_surfaces(const TomlNode& root, LoadedScene&);
+// Reads [[material]], [[sphere]], [[plane]] and [[patch]] into the scene's vectors. After an error
+// they are not to be used.
+void read_surfaces(const TomlNode& root, LoadedScene&, FirstError&);
 
-// Makes the patches of the spheres and planes, which come before the free ones.
+// Appends the patches of the spheres and planes, which come before the free ones.
 void append_closed_forms(LoadedScene&);
 
 }  // namespace umbra78::tools

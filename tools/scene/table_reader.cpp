@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace umbra78::tools {
 namespace {
@@ -13,95 +14,137 @@ namespace {
 using fixed::DecimalStatus;
 using Kind = TomlNode::Kind;
 
-std::string print(std::int64_t word, int fraction) {
-    if (word == 1 && fraction > 8) return fmt::format("2^-{}", fraction);  // 13 digits and more
-    std::array<char, fixed::longest_decimal> text;
-    const int length = fixed::print_decimal(word, fraction, text);
-    return {text.data(), static_cast<std::size_t>(length)};
+const TomlNode nothing;
+
+void report_kind(FirstError& error, const TomlNode& node, const std::string& called,
+                 std::string_view remedy) {
+    report(error, node, fmt::format("{} is {}; {}", called, describe(node), remedy));
 }
 
-[[noreturn]] void fail_of_kind(const TomlNode& node, const std::string& called,
-                               std::string_view remedy) {
-    fail(node, fmt::format("{} is {}; {}", called, describe(node), remedy));
-}
+std::int32_t narrow(std::int64_t word) { return static_cast<std::int32_t>(word); }
 
 }  // namespace
 
-void fail(const TomlNode& where, const std::string& what) {
-    throw SceneError(where.where + ": " + what);
-}
-
-std::string print(const NumberRange& range) {
-    return print(range.min, range.fraction) + " .. " + print(range.max, range.fraction);
+void report(FirstError& error, const TomlNode& where, const std::string& what) {
+    error.report(where.where + ": " + what);
 }
 
 std::int64_t read_number(const TomlNode& node, const std::string& called,
-                         const NumberRange& range) {
-    if (node.kind != Kind::number) fail_of_kind(node, called, "write a number");
+                         const NumberRange& range, FirstError& error) {
     const auto [word, status] = fixed::parse_decimal(node.text, range.fraction, 64);
-    if (status == DecimalStatus::bad_character)
-        fail_of_kind(node, called, "write a decimal, such as 2.5");
-    if (range.fraction == 0 && node.text.find_first_of(".eE") != node.text.npos)
-        fail_of_kind(node, called, "write a whole number");
-    if (status != DecimalStatus::ok || word < range.min || word > range.max)
-        fail(node, fmt::format("{} is {}; its range is {}", called, node.text, print(range)));
-    return word;
+    if (node.kind != Kind::number)
+        report_kind(error, node, called, "write a number");
+    else if (status == DecimalStatus::bad_character)
+        report_kind(error, node, called, "write a decimal, such as 2.5");
+    else if (range.fraction == 0 && node.text.find_first_of(".eE") != node.text.npos)
+        report_kind(error, node, called, "write a whole number");
+    else if (status != DecimalStatus::ok || word < range.min || word > range.max)
+        report(error, node,
+               fmt::format("{} is {}; its range is {}", called, node.text, print(range)));
+    else
+        return word;
+    return std::clamp<std::int64_t>(0, range.min, range.max);
 }
 
-raster::World read_point(const TomlNode& node, const std::string& called) {
-    if (node.kind != Kind::array || node.children.size() != 3)
-        fail_of_kind(node, called, "write [x, y, z]");
+raster::World read_point(const TomlNode& node, const std::string& called, const NumberRange& range,
+                         FirstError& error) {
+    if (node.kind != Kind::array || node.children.size() != 3) {
+        report_kind(error, node, called, "write [x, y, z]");
+        return {};
+    }
     const auto word = [&](std::size_t axis) {
-        return static_cast<std::int32_t>(read_number(
-            node.children[axis], fmt::format("{} of {}", "xyz"[axis], called), place_range));
+        const std::string name = fmt::format("{} of {}", "xyz"[axis], called);
+        return narrow(read_number(node.children[axis], name, range, error));
     };
     return {word(0), word(1), word(2)};
 }
 
 int read_choice(const TomlNode& node, const std::string& called,
-                std::span<const std::string_view> names) {
+                std::span<const std::string_view> names, FirstError& error) {
     const auto found = std::find(names.begin(), names.end(), node.text);
-    if (node.kind != Kind::text || found == names.end())
-        fail_of_kind(node, called, suggest(node.text, names));
-    return static_cast<int>(found - names.begin());
+    if (node.kind == Kind::text && found != names.end())
+        return static_cast<int>(found - names.begin());
+    report_kind(error, node, called, suggest(node.text, names));
+    return 0;
 }
 
-std::string read_text(const TomlNode& node, const std::string& called) {
-    if (node.kind != Kind::text) fail_of_kind(node, called, "write a name in quotes");
-    return node.text;
+std::string read_text(const TomlNode& node, const std::string& called, FirstError& error) {
+    if (node.kind == Kind::text) return node.text;
+    report_kind(error, node, called, "write a name in quotes");
+    return "";
 }
 
-TableReader::TableReader(const TomlNode& table, std::string title, Keys keys)
-    : table_(table), title_(std::move(title)) {
-    if (table.kind != Kind::table)
-        fail(table, fmt::format("{0} is {1}; write {0} and its keys below it", title_,
-                                describe(table)));
-    for (const TomlNode& node : table.children)
-        if (std::find(keys.begin(), keys.end(), node.key) == keys.end())
-            fail(node, fmt::format("unknown key '{}' in {}; {}", node.key, title_,
-                                   suggest(node.key, keys)));
+void check_keys(const TomlNode& node, std::string_view title,
+                std::span<const std::string_view> keys, FirstError& error) {
+    if (node.kind != Kind::table) {
+        report(error, node, fmt::format("{0} is {1}; write {0} and its keys below it", title,
+                                        describe(node)));
+        return;
+    }
+    for (const TomlNode& child : node.children) {
+        if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
+        report(error, child, fmt::format("unknown key '{}' in {}; {}", child.key, title,
+                                         suggest(child.key, keys)));
+        return;
+    }
 }
 
-const TomlNode& TableReader::need(std::string_view key, std::string_view example) const {
+TableReader::TableReader(const TomlNode& node, const SceneTable& table, FirstError& error)
+    : node_(node), table_(table), error_(error), title_(title_of(table)) {
+    std::vector<std::string_view> keys;
+    for (const SceneKey& key : table.keys) keys.push_back(key.key);
+    check_keys(node, title_, keys, error);
+}
+
+const TomlNode& TableReader::need(std::string_view key) const {
+    if (const TomlNode* node = find(key)) return *node;
+    report(node_, fmt::format("{} has no '{}'; add {} = {}", title_, key, key,
+                              scene_key(table_, key).example));
+    return nothing;
+}
+
+std::int64_t TableReader::number(std::string_view key) const {
+    return number(key, scene_key(table_, key).fallback);
+}
+
+int TableReader::choice(std::string_view key) const {
+    const SceneKey& row = scene_key(table_, key);
     const TomlNode* node = find(key);
-    if (!node)
-        fail(table_, fmt::format("{} has no '{}'; add {} = {}", title_, key, key, example));
-    return *node;
+    return node ? read_choice(*node, called(key), row.choices, error_)
+                : static_cast<int>(row.fallback);
+}
+
+std::int64_t TableReader::number(std::string_view key, std::int64_t otherwise,
+                                 bool in_perspective) const {
+    const SceneKey& row = scene_key(table_, key);
+    const NumberRange& range = in_perspective && row.perspective ? *row.perspective : row.range;
+    const TomlNode* node = find(key);
+    return node ? read_number(*node, called(key), range, error_) : otherwise;
+}
+
+raster::World TableReader::point(std::string_view key, const raster::World& otherwise) const {
+    const TomlNode* node = find(key);
+    return node ? read_point(*node, called(key), scene_key(table_, key).range, error_) : otherwise;
+}
+
+std::int64_t TableReader::needed_number(std::string_view key) const {
+    return read_number(need(key), called(key), scene_key(table_, key).range, error_);
+}
+
+raster::World TableReader::needed_point(std::string_view key) const {
+    return read_point(need(key), called(key), scene_key(table_, key).range, error_);
+}
+
+std::string TableReader::needed_text(std::string_view key) const {
+    return read_text(need(key), called(key), error_);
 }
 
 std::string TableReader::called(std::string_view key) const {
     return fmt::format("'{}' in {}", key, title_);
 }
 
-std::int64_t TableReader::number(std::string_view key, const NumberRange& range,
-                                 std::int64_t otherwise) const {
-    const TomlNode* node = find(key);
-    return node ? read_number(*node, called(key), range) : otherwise;
-}
-
-int TableReader::choice(std::string_view key, Keys names, int otherwise) const {
-    const TomlNode* node = find(key);
-    return node ? read_choice(*node, called(key), names) : otherwise;
+void TableReader::report(const TomlNode& where, const std::string& what) const {
+    tools::report(error_, where, what);
 }
 
 }  // namespace umbra78::tools

@@ -1,61 +1,66 @@
-// A table of a scene file, read key by key: exact words, or one line that says what is wrong.
+// A table of a scene file, read key by key into exact words. What is wrong is reported to a
+// FirstError, in a line that begins with the node's `where`, and a harmless value is returned.
 #pragma once
 
-#include "raster/scene.hpp"
+#include "tools/scene/scene_keys.hpp"
 #include "tools/scene/toml_text.hpp"
 
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace umbra78::tools {
 
-// A number as a word of `fraction` fraction bits, rounded half to even. With no fraction bits
-// only whole numbers are taken.
-struct NumberRange {
-    int fraction;
-    std::int64_t min, max;  // words
-};
+void report(FirstError&, const TomlNode& where, const std::string& what);
 
-// "-2.5 .. 40", "2^-16 .. 32767": the range in numbers.
-std::string print(const NumberRange&);
-
-// The words of lengths and places in the world, Q15.16. `called` is the value's name in an error.
-inline constexpr std::int64_t world_one = std::int64_t{1} << raster::world_fraction;
-inline constexpr std::int64_t world_reach = 32767 * world_one;
-inline constexpr NumberRange place_range{raster::world_fraction, -world_reach, world_reach};
-inline constexpr NumberRange length_range{raster::world_fraction, 1, world_reach};
-
-std::int64_t read_number(const TomlNode&, const std::string& called, const NumberRange&);
-raster::World read_point(const TomlNode&, const std::string& called);
-// The number of the name among `names`.
+// `called` is the value's name in an error. After an error a number is the one in its range that
+// is nearest to 0, a choice is the first, a text is empty.
+std::int64_t read_number(const TomlNode&, const std::string& called, const NumberRange&,
+                         FirstError&);
+raster::World read_point(const TomlNode&, const std::string& called, const NumberRange&,
+                         FirstError&);
 int read_choice(const TomlNode&, const std::string& called,
-                std::span<const std::string_view> names);
-std::string read_text(const TomlNode&, const std::string& called);
+                std::span<const std::string_view> names, FirstError&);
+std::string read_text(const TomlNode&, const std::string& called, FirstError&);
 
+// Reports a node that is not a table, and the first key that is not among `keys`. `title` is what
+// errors call the table.
+void check_keys(const TomlNode&, std::string_view title, std::span<const std::string_view> keys,
+                FirstError&);
+
+// Reads a table by its rows of scene_keys.hpp. Every `key` below must be one of them.
 class TableReader {
 public:
-    using Keys = std::span<const std::string_view>;
+    // Checks the node's keys. The node, the table and the error outlive the reader.
+    TableReader(const TomlNode&, const SceneTable&, FirstError&);
 
-    // Throws for a key that is not among `keys`. `title` is "[light]" or "[[sphere]]".
-    TableReader(const TomlNode& table, std::string title, Keys keys);
+    const TomlNode* find(std::string_view key) const { return node_.find(key); }
+    // Reports a key that is left out; then it is an empty table.
+    const TomlNode& need(std::string_view key) const;
 
-    const TomlNode* find(std::string_view key) const { return table_.find(key); }
-    const TomlNode& need(std::string_view key, std::string_view example) const;
+    // The value, or the row's default where it is left out.
+    std::int64_t number(std::string_view key) const;
+    int choice(std::string_view key) const;
+    // The value, or `otherwise` where it is left out.
+    std::int64_t number(std::string_view key, std::int64_t otherwise,
+                        bool in_perspective = false) const;
+    raster::World point(std::string_view key, const raster::World& otherwise) const;
+    // The value, which must be given.
+    std::int64_t needed_number(std::string_view key) const;
+    raster::World needed_point(std::string_view key) const;
+    std::string needed_text(std::string_view key) const;
+
     std::string called(std::string_view key) const;  // "'radius' in [[sphere]]"
-    const TomlNode& table() const { return table_; }
     const std::string& title() const { return title_; }
-
-    std::int64_t number(std::string_view key, const NumberRange&, std::int64_t otherwise) const;
-    int choice(std::string_view key, Keys names, int otherwise) const;
+    FirstError& error() const { return error_; }
+    void report(const TomlNode& where, const std::string& what) const;
 
 private:
-    const TomlNode& table_;
+    const TomlNode& node_;
+    const SceneTable& table_;
+    FirstError& error_;
     std::string title_;
 };
-
-[[noreturn]] void fail(const TomlNode& where, const std::string& what);
 
 }  // namespace umbra78::tools

@@ -6,16 +6,23 @@
 
 #include <algorithm>
 
-// toml++ 3.3 asserts that a key begins like a key (under clang it even assumes so), which "[=]"
-// does not, and then reports the error well: so its assertions are off in every build.
+// toml++ 3.3 asserts that a key begins like a key (under clang it even assumes so). The key of
+// "[=]" does not, and without the assertion toml++ reports that well: so its assertions are off in
+// every build.
 #undef NDEBUG
+// The library that its package builds throws, so its sources are compiled here, without exceptions.
+#undef TOML_SHARED_LIB
+#undef TOML_HEADER_ONLY
+#define TOML_SHARED_LIB 0
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
 #define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
 
 namespace umbra78::tools {
 namespace {
 
-// The source by lines, for toml++'s places: lines and columns from 1, a column a code point.
+// The source by lines, for toml++'s places: lines and columns from 1, a column is a code point.
 class Source {
 public:
     Source(std::string_view text, const std::string& name) : name_(name) {
@@ -34,7 +41,7 @@ public:
 
     // The text of a value that stands on one line.
     std::string text(const toml::source_region& at) const {
-        const std::string_view line = lines_.at(at.begin.line - 1);
+        const std::string_view line = lines_[at.begin.line - 1];
         const std::size_t begin = byte(line, at.begin.column), end = byte(line, at.end.column);
         return std::string(line.substr(begin, end - begin));
     }
@@ -117,41 +124,43 @@ const TomlNode* TomlNode::find(std::string_view child) const {
     return nullptr;
 }
 
-TomlNode parse_toml(std::string_view text, const std::string& name) {
-    try {
-        const toml::table table = toml::parse(text, name);
-        TomlNode root = convert(table, Source(text, name));
-        root.where = name;
-        return root;
-    } catch (const toml::parse_error& error) {
-        std::string what(error.description());
+TomlNode parse_toml(std::string_view text, const std::string& name, FirstError& error) {
+    const toml::parse_result parsed = toml::parse(text, name);
+    if (parsed.failed()) {
+        std::string what(parsed.error().description());
         std::replace(what.begin(), what.end(), '\n', ' ');
-        throw SceneError(fmt::format("{}:{}: this is no TOML: {}", name,
-                                     error.source().begin.line, what));
+        error.report(fmt::format("{}:{}: this is no TOML: {}", name,
+                                 parsed.error().source().begin.line, what));
+        return {.where = name};
     }
+    TomlNode root = convert(parsed.table(), Source(text, name));
+    root.where = name;
+    return root;
 }
 
-TomlNode parse_override(const std::string& key_and_value) {
+TomlNode parse_override(const std::string& key_and_value, FirstError& error) {
     const std::string where = "--set " + key_and_value;
     const std::size_t equals = key_and_value.find('=');
     const std::string_view whole = key_and_value;
     const std::string_view key = trimmed(whole.substr(0, equals));
     const std::string_view value =
         equals == whole.npos ? std::string_view{} : trimmed(whole.substr(equals + 1));
-    if (key.empty() || value.empty())
-        throw SceneError(where + ": write key=value, such as --set bias=64");
-
-    TomlNode node;
-    node.kind = TomlNode::Kind::text;
+    TomlNode node{.kind = TomlNode::Kind::text};
+    if (key.empty() || value.empty()) {
+        error.report(where + ": write key=value, such as --set bias=64");
+        return node;
+    }
     node.text = value;
     const auto read = fixed::parse_decimal(value, 0, 64);
     const char first = value.front();
     if (first == '[' || first == '"' || first == '\'') {
-        try {
-            node = parse_toml(fmt::format("v = {}", value), where).children.at(0);
-        } catch (const SceneError&) {
-            throw SceneError(where + ": the value is no TOML; write [x, y, z], a number or a name");
+        FirstError no_toml;
+        TomlNode table = parse_toml(fmt::format("v = {}", value), where, no_toml);
+        if (no_toml.any()) {
+            error.report(where + ": the value is no TOML; write [x, y, z], a number or a name");
+            return node;
         }
+        node = std::move(table.children.front());
     } else if (read.status != fixed::DecimalStatus::bad_character) {
         node.kind = TomlNode::Kind::number;
     }

@@ -1,11 +1,11 @@
-// A TOML document in which every number is still the text it was written as.
+// A TOML document as a tree in which every number is still the text that was written.
 //
-// toml++ checks the grammar, but hands out decimals as double, and a scene needs them exact. So a
-// document becomes this small tree: toml++ says where a number stands, and its characters are
-// taken from there. A value given on the command line becomes the same kind of node.
+// toml++ checks the grammar, but gives decimals as double, and a scene needs them exact. So toml++
+// gives the place of a number in the document, and its characters are taken from there. A value
+// given on the command line becomes the same kind of node.
 #pragma once
 
-#include "tools/scene/scene_error.hpp"
+#include "tools/scene/first_error.hpp"
 
 #include <string>
 #include <string_view>
@@ -17,22 +17,25 @@ struct TomlNode {
     enum class Kind { table, array, text, number, other };
 
     Kind kind = Kind::table;
-    std::string where{};  // "scene.toml:12", or "--set bias=64": what an error's line begins with
+    std::string where{};  // "scene.toml:12" or "--set bias=64": an error's line begins with it
     std::string key{};    // in a table
-    std::string text{};   // of a text or a number; of another kind, what to call it
+    std::string text{};   // a text, or a number as it is written; of `other`: "a boolean", ...
     std::vector<TomlNode> children{};  // of a table in the order of the file, or of an array
 
-    const TomlNode* find(std::string_view child) const;
+    const TomlNode* find(std::string_view child) const;  // null if there is none
 };
 
-// Throws SceneError for what is no TOML. `name` is the file's, for `where`.
-TomlNode parse_toml(std::string_view text, const std::string& name);
+// The tree of a document; an empty table, and an error, if the text is not TOML. `name` is the
+// file's, for `where`.
+TomlNode parse_toml(std::string_view text, const std::string& name, FirstError&);
 
-// The value of "key=value", as --set takes it: an array [...], a number, or else a text, with or
-// without quotes.
+// "key=value" as --set takes it. The value is an array [...], a number, or else a text, with or
+// without quotes. After an error the node is a text without a key.
+TomlNode parse_override(const std::string& key_and_value, FirstError&);
+// The same for the program; throws SceneError. Defined in scene_file.cpp.
 TomlNode parse_override(const std::string& key_and_value);
 
-// "a number", "the text 'x'": what an error calls a value of the wrong kind.
+// "the number 3", "the text 'x'": what an error calls a value of the wrong kind.
 std::string describe(const TomlNode&);
 
 }  // namespace umbra78::tools

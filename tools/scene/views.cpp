@@ -14,60 +14,40 @@ namespace {
 using raster::Projection;
 using raster::View;
 
-constexpr NumberRange azimuth_range{16, -360 * world_one, 360 * world_one};
-constexpr NumberRange elevation_range{16, -90 * world_one, 90 * world_one};
-constexpr NumberRange depth_range_ortho{16, -4 * world_reach, 4 * world_reach};
-constexpr NumberRange depth_range_eye{16, 1, 4 * world_reach};
-
-constexpr std::string_view projections[] = {"orthographic", "perspective"};
-constexpr std::string_view light_kinds[] = {"directional", "point"};
-constexpr std::string_view observer_keys[] = {"projection", "azimuth", "elevation", "target",
-                                              "extent",     "near",    "far",       "distance"};
-constexpr std::string_view light_keys[] = {"kind",   "azimuth", "elevation", "target",
-                                           "extent", "near",    "far",       "position"};
-
 bool is_override(const TomlNode& node) { return node.where.starts_with("--set "); }
 
-// Refuses a key of another kind of view; where --set chose the kind, the file's key is ignored.
+// Reports a key that only another kind of view has. Where --set chose the kind, a key of the file
+// is ignored.
 void refuse(const TableReader& in, std::string_view key, std::string_view kind_key,
             std::string_view needed) {
     const TomlNode *node = in.find(key), *kind = in.find(kind_key);
     if (!node || (kind && is_override(*kind) && !is_override(*node))) return;
-    fail(*node, fmt::format("{} needs {} = \"{}\"", in.called(key), kind_key, needed));
-}
-
-std::int32_t length(const TableReader& in, std::string_view key, std::int64_t otherwise) {
-    return static_cast<std::int32_t>(in.number(key, length_range, otherwise));
-}
-
-raster::World target(const TableReader& in, Patches patches) {
-    const TomlNode* node = in.find("target");
-    return node ? read_point(*node, in.called("target")) : box_centre(patches);
+    in.report(*node, fmt::format("{} needs {} = \"{}\"", in.called(key), kind_key, needed));
 }
 
 void look_by_angles(const TableReader& in, View& view) {
-    const auto angle = [&](const char* key, const NumberRange& range) {
-        return static_cast<std::int32_t>(in.number(key, range, 0));
-    };
-    view.axes = raster::axes_from_angles(angle("azimuth", azimuth_range),
-                                           angle("elevation", elevation_range));
+    const auto azimuth = static_cast<std::int32_t>(in.number("azimuth"));
+    const auto elevation = static_cast<std::int32_t>(in.number("elevation"));
+    view.axes = raster::axes_from_angles(azimuth, elevation);
 }
 
-// The window and the depth range, given or fitted; everything else of the view stands.
+// The window and the depth range, as given or fitted. The view's other members are read.
 void fit(const TableReader& in, View& view, Patches patches) {
-    view.extent = length(in, "extent", 0);
+    view.extent = static_cast<std::int32_t>(in.number("extent", 0));
+    if (in.error().any()) return;
     if (view.extent == 0) view.extent = fitted_extent(view, patches);
     raster::fit_depth(view, raster::depth_range(view, patches));
-    const NumberRange& range =
-        view.projection == Projection::perspective ? depth_range_eye : depth_range_ortho;
-    view.near_depth = in.number("near", range, view.near_depth);
-    view.far_depth = in.number("far", range, view.far_depth);
-    if (view.near_depth < view.far_depth) return;
+    const bool perspective = view.projection == Projection::perspective;
+    view.near_depth = in.number("near", view.near_depth, perspective);
+    view.far_depth = in.number("far", view.far_depth, perspective);
+    if (in.error().any() || view.near_depth < view.far_depth) return;
     const TomlNode* node = in.find("far") ? in.find("far") : in.find("near");
     const bool both = in.find("far") && in.find("near");
-    fail(*node, fmt::format("'near' in {} is not less than 'far'; {}", in.title(),
-                            both ? "exchange them, or leave both out to fit them to the scene"
-                                 : "give both, or neither to fit them to the scene"));
+    const std::string what =
+        fmt::format("'near' in {} is not less than 'far'; {}", in.title(),
+                    both ? "exchange them, or leave both out to fit them to the scene"
+                         : "give both, or neither to fit them to the scene");
+    in.report(*node, what);
 }
 
 // floor(|v| + 1/2), 0 if it does not fit a word.
@@ -82,48 +62,51 @@ std::int32_t rounded_length(std::int64_t x, std::int64_t y, std::int64_t z) {
 }
 
 void look_from_position(const TableReader& in, View& view) {
-    const TomlNode& node = in.need("position", "[-4, 6, 5]");
-    const raster::World from = read_point(node, in.called("position"));
+    const TomlNode& node = in.need("position");
+    const raster::World from = in.needed_point("position");
+    if (in.error().any()) return;
     if (!raster::axes_from_points(from, view.target, view.axes))
-        fail(node, fmt::format("{} is its target, {}; move one of them", in.called("position"),
-                               in.find("target") ? "as given" : "the middle of the scene"));
+        in.report(node, fmt::format("{} is its target, {}; move one of them",
+                                    in.called("position"),
+                                    in.find("target") ? "as given" : "the middle of the scene"));
     const raster::World& to = view.target;
     view.distance = rounded_length(std::int64_t{from.x} - to.x, std::int64_t{from.y} - to.y,
                                    std::int64_t{from.z} - to.z);
     if (view.distance == 0)
-        fail(node, fmt::format("{} is farther than 32767 from its target; use kind = "
-                               "\"directional\"", in.called("position")));
+        in.report(node, fmt::format("{} is farther than 32767 from its target; use kind = "
+                                    "\"directional\"", in.called("position")));
 }
 
 }  // namespace
 
-raster::View read_observer(const TomlNode& root, Patches patches) {
+raster::View read_observer(const TomlNode& root, Patches patches, FirstError& error) {
     const TomlNode none{.where = root.where};
-    const TomlNode* table = root.find("observer");
-    const TableReader in(table ? *table : none, "[observer]", observer_keys);
+    const TomlNode* node = root.find("observer");
+    const TableReader in(node ? *node : none, scene_table("observer"), error);
     View view;
-    view.projection = static_cast<Projection>(in.choice("projection", projections, 0));
-    view.target = target(in, patches);
+    view.projection = static_cast<Projection>(in.choice("projection"));
+    view.target = in.point("target", box_centre(patches));
     look_by_angles(in, view);
-    if (view.projection == Projection::perspective) {
-        in.need("distance", "8");
-        view.distance = length(in, "distance", 0);
-    } else {
+    if (view.projection == Projection::perspective)
+        view.distance = static_cast<std::int32_t>(in.needed_number("distance"));
+    else
         refuse(in, "distance", "projection", "perspective");
-    }
     fit(in, view, patches);
     return view;
 }
 
-raster::View read_light(const TomlNode& root, Patches patches) {
-    const TomlNode* table = root.find("light");
-    if (!table) fail(root, "there is no [light]; add [light] and azimuth = -100, or another");
-    const TableReader in(*table, "[light]", light_keys);
+raster::View read_light(const TomlNode& root, Patches patches, FirstError& error) {
     View view;
-    view.target = target(in, patches);
-    if (in.choice("kind", light_kinds, 0) == 0) {
+    const TomlNode* node = root.find("light");
+    if (!node) {
+        report(error, root, "there is no [light]; add [light] and azimuth = -100, or another");
+        return view;
+    }
+    const TableReader in(*node, scene_table("light"), error);
+    view.target = in.point("target", box_centre(patches));
+    if (in.choice("kind") == 0) {
         refuse(in, "position", "kind", "point");
-        in.need("azimuth", "-100");
+        in.need("azimuth");
         look_by_angles(in, view);
     } else {
         refuse(in, "azimuth", "kind", "directional");
@@ -135,19 +118,23 @@ raster::View read_light(const TomlNode& root, Patches patches) {
     return view;
 }
 
-TomlNode apply_view_overrides(TomlNode& root, std::span<const std::string> overrides) {
+TomlNode apply_view_overrides(TomlNode& root, std::span<const std::string> overrides,
+                              FirstError& error) {
     TomlNode settings;
     for (const std::string& text : overrides) {
-        TomlNode node = parse_override(text);
+        TomlNode node = parse_override(text, error);
         const std::size_t dot = node.key.find('.');
         const std::string view = node.key.substr(0, dot);
         if (dot == std::string::npos) {
             settings.children.push_back(std::move(node));
             continue;
         }
-        if (view != "observer" && view != "light")
-            fail(node, fmt::format("unknown key '{}'; set a setting, observer.KEY or light.KEY",
-                                   node.key));
+        if (view != "observer" && view != "light") {
+            report(error, node,
+                   fmt::format("unknown key '{}'; set a setting, observer.KEY or light.KEY",
+                               node.key));
+            continue;
+        }
         node.key.erase(0, dot + 1);
         auto& tables = root.children;
         auto table = std::find_if(tables.begin(), tables.end(),

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Scene reading, settings and closed-form truth need no exceptions, files or threads, so that a web
+# page or a microcontroller can use them. They are compiled without exceptions, name no header of
+# files or threads, and need nothing of tools/ but each other.
+set -eu
+. "$(dirname "$0")/../support/core.sh"
+
+# tools/scene but for the program's scene_file.cpp, which opens files and throws.
+free="$(ls tools/scene/*.cpp | grep -v '/scene_file[.]cpp$') tools/io/suggest.cpp
+tools/io/text_formats.cpp tools/truth/truth.cpp"
+free=${free//$'\n'/ }
+own_headers=$(for source in $free; do
+  header=${source%.cpp}.hpp
+  [ ! -f "$header" ] || echo "$header"
+done)
+forbidden='<(c?std(io|dio)\.?h?|fstream|iostream|filesystem|thread|mutex|future|atomic'
+forbidden="$forbidden|condition_variable|stdexcept|exception|csignal|unistd\.h)>"
+
+# What a compiler without exceptions is given; the headers that most files share are read once.
+flags="-std=c++20 -O0 -fno-exceptions -fno-rtti -w -I$root"
+echo '#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <vector>' >"$scratch/common.hpp"
+"$CXX" $flags -x c++-header "$scratch/common.hpp" -o "$scratch/common.hpp.gch" 2>/dev/null || {
+  skip "no fmt, so no program"
+}
+for source in $free; do echo "$source $scratch/$(echo "$source" | tr / _).o"; done |
+  xargs -P2 -L1 sh -c '"$0" $1 -include "$2/common.hpp" -c "$3" -o "$4" 2>"$4.log" || true' \
+    "$CXX" "$flags" "$scratch"
+for source in $free; do
+  object="$scratch/$(echo "$source" | tr / _).o"
+  if [ ! -f "$object" ]; then
+    head -10 "$object.log"
+    fail "$source does not compile without exceptions"
+  fi
+done
+for file in $free $own_headers; do
+  found=$(plain_text "$file" | grep -nE "#include $forbidden|\b(throw|try|catch)\b" || true)
+  [ -z "$found" ] || fail "$file:$found"
+done
+
+nm -u "$scratch"/*.o | sed -n 's/^ *U //p' | sort -u | c++filt | grep '^umbra78::tools' | sort -u \
+  >"$scratch/needed" || true
+nm --defined-only "$scratch"/*.o | sed -n 's/^[0-9a-f]* [A-Z] //p' | c++filt | sort -u \
+  >"$scratch/defined"
+missing=$(comm -23 "$scratch/needed" "$scratch/defined")
+[ -z "$missing" ] || fail "not among the files without exceptions: $missing"
+[ -s "$scratch/needed" ] || fail "the files need nothing of each other: their symbols were not read"
+
+# And a throw would be found.
+echo 'void control() { throw 1; }' >"$scratch/control.cpp"
+! "$CXX" $flags -fsyntax-only "$scratch/control.cpp" 2>/dev/null || fail "a throw is taken"
+echo "without exceptions, files and threads: $free"
+verdict "no exceptions in $(echo "$free" | wc -w) sources"

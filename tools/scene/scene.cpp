@@ -1,0 +1,47 @@
+#include "tools/scene/scene.hpp"
+
+#include "tools/scene/checks.hpp"
+#include "tools/scene/settings_text.hpp"
+#include "tools/scene/surfaces.hpp"
+#include "tools/scene/table_reader.hpp"
+#include "tools/scene/views.hpp"
+
+namespace umbra78::tools {
+namespace {
+
+// Each step computes with what the steps before it have read, so it is taken only if they found
+// no error.
+void read(std::string_view text, std::span<const std::string> overrides, LoadedScene& scene,
+          FirstError& error) {
+    TomlNode root = parse_toml(text, scene.name, error);
+    if (error.any()) return;
+    const TomlNode set = apply_view_overrides(root, overrides, error);
+    check_keys(root, "the scene", scene_table_names(), error);
+    if (error.any()) return;
+    read_surfaces(root, scene, error);
+    if (error.any()) return;
+    scene.observer = read_observer(root, scene.patches, error);
+    if (error.any()) return;
+    scene.light = read_light(root, scene.patches, error);
+    const bool perspective = scene.observer.projection == raster::Projection::perspective ||
+                             scene.light.projection == raster::Projection::perspective;
+    scene.settings = read_settings(root.find("settings"), set, perspective, error);
+    if (error.any()) return;
+    check_matrices(scene, error);
+    if (error.any()) return;
+    scene.warnings = warnings_of(scene);
+}
+
+}  // namespace
+
+SceneResult read_scene(std::string_view text, const std::string& name,
+                       std::span<const std::string> overrides) {
+    SceneResult result;
+    FirstError error;
+    result.scene.name = name;
+    read(text, overrides, result.scene, error);
+    result.error = error.line();
+    return result;
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,45 @@
+// A scene, read from its text: TOML, short enough to write by hand, read exactly into the
+// machine's words.
+//
+// Every decimal goes from its text to fixed point without passing through floating point. The
+// tables and keys are those of scene_keys.hpp, listed in tools/scenes/KEYS.md; an example is
+// tools/scenes/figures.toml. Nothing here needs exceptions, files or threads.
+#pragma once
+
+#include "raster/scene.hpp"
+#include "shadow/frame/frame.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbra78::tools {
+
+struct LoadedScene {
+    std::string name;
+    std::vector<raster::Material> materials;  // the last one is of surfaces that name none
+    std::vector<raster::Sphere> spheres;
+    std::vector<raster::Plane> planes;
+    std::vector<raster::Patch> patches;  // of all surfaces: the spheres', the planes', free ones
+    std::size_t free_patches = 0;        // neither spheres' nor planes': truth has no closed form
+    raster::View observer, light;
+    shadow::Settings settings;           // the file's, with the overrides applied
+    std::vector<std::string> warnings;   // a caster outside the light's volume, ...
+
+    shadow::Scene view() const { return {patches, materials, observer, {{light}}}; }
+};
+
+struct SceneResult {
+    LoadedScene scene;  // whole only if there is no error
+    std::string error;  // one line: file and line (or the override), what is wrong, the remedy
+
+    bool ok() const { return error.empty(); }
+};
+
+// `name` is the file's, for errors and warnings. `overrides` are "key=value" as --set takes them:
+// a setting's key, observer.KEY or light.KEY; of two with the same key the later one counts.
+SceneResult read_scene(std::string_view text, const std::string& name,
+                       std::span<const std::string> overrides);
+
+}  // namespace umbra78::tools

@@ -1,0 +1,184 @@
+#include "tools/scene/scene_keys.hpp"
+
+#include "fixed/decimal.hpp"
+#include "fixed/trap.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace umbra78::tools {
+namespace {
+
+using enum KeyKind;
+
+constexpr NumberRange elevation_range{16, -90 * world_one, 90 * world_one};
+// From the plane through the target, or in perspective from the eye.
+constexpr NumberRange depth_range{16, -4 * world_reach, 4 * world_reach};
+constexpr NumberRange depth_range_from_eye{16, 1, 4 * world_reach};
+constexpr NumberRange level_range{0, 0, 255};
+constexpr NumberRange shininess_range{0, 0, 8};
+
+constexpr std::string_view world_units = "world units", degrees = "degrees", levels = "grey levels";
+constexpr std::string_view fitted = "fitted to the scene", needed = "must be given";
+constexpr raster::Material plain;
+
+constexpr std::string_view projections[] = {"orthographic", "perspective"};  // raster::Projection
+constexpr std::string_view light_kinds[] = {"directional", "point"};
+
+constexpr SceneKey target{.key = "target", .kind = point, .unit = world_units,
+                          .range = place_range, .left_out = "the middle of the scene",
+                          .meaning = "the point in the middle of the picture"};
+constexpr SceneKey extent{.key = "extent", .kind = number, .unit = world_units,
+                          .range = length_range, .left_out = fitted,
+                          .meaning = "from the middle of the picture to its edge, at the target"};
+constexpr SceneKey near_depth{
+    .key = "near", .kind = number, .unit = world_units, .range = depth_range,
+    .perspective = &depth_range_from_eye, .left_out = fitted,
+    .meaning = "depth of the first Z code, away from the viewer from the target, or from the eye"};
+constexpr SceneKey far_depth{
+    .key = "far", .kind = number, .unit = world_units, .range = depth_range,
+    .perspective = &depth_range_from_eye, .left_out = fitted,
+    .meaning = "depth of the last Z code, more than near"};
+constexpr SceneKey material{.key = "material", .kind = text,
+                            .left_out = "a material with all defaults",
+                            .meaning = "the name of a [[material]]"};
+
+constexpr SceneKey observer_keys[] = {
+    {.key = "projection", .kind = choice, .choices = projections, .meaning = "of the picture"},
+    {.key = "azimuth", .kind = number, .unit = degrees, .range = azimuth_range,
+     .meaning = "of the observer about the vertical axis; 0 is on the z axis, 90 on the x axis"},
+    {.key = "elevation", .kind = number, .unit = degrees, .range = elevation_range,
+     .meaning = "of the observer over the horizontal plane"},
+    target,
+    extent,
+    near_depth,
+    far_depth,
+    {.key = "distance", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = "must be given in perspective", .example = "8",
+     .meaning = "from the eye to the target, in perspective only"},
+};
+constexpr SceneKey light_keys[] = {
+    {.key = "kind", .kind = choice, .choices = light_kinds,
+     .meaning = "at infinity (its view is orthographic) or at a point (perspective)"},
+    {.key = "azimuth", .kind = number, .unit = degrees, .range = azimuth_range,
+     .left_out = "must be given if directional", .example = "-100",
+     .meaning = "of a directional light, as the observer's"},
+    {.key = "elevation", .kind = number, .unit = degrees, .range = elevation_range,
+     .meaning = "of a directional light over the horizontal plane"},
+    target,
+    extent,
+    near_depth,
+    far_depth,
+    {.key = "position", .kind = point, .unit = world_units, .range = place_range,
+     .left_out = "must be given if a point", .example = "[-4, 6, 5]",
+     .meaning = "of a point light, at most 32767 from its target"},
+};
+constexpr SceneKey material_keys[] = {
+    {.key = "name", .kind = text, .left_out = needed, .example = "\"clay\"",
+     .meaning = "by which surfaces refer to it; no two have the same"},
+    {.key = "diffuse", .kind = number, .unit = levels, .range = level_range,
+     .fallback = plain.diffuse, .meaning = "of a surface that faces the light"},
+    {.key = "specular", .kind = number, .unit = levels, .range = level_range,
+     .fallback = plain.specular, .meaning = "that the highlight adds in its middle"},
+    {.key = "shininess", .kind = number, .range = shininess_range, .fallback = plain.shininess,
+     .meaning = "n: the highlight's exponent is 2^n"},
+};
+constexpr SceneKey sphere_keys[] = {
+    {.key = "centre", .kind = point, .unit = world_units, .range = place_range,
+     .left_out = needed, .example = "[0, 0, 0]", .meaning = "of the sphere"},
+    {.key = "radius", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = needed, .example = "1",
+     .meaning = "the sphere stays within -32767 .. 32767 in x, y and z"},
+    material,
+};
+constexpr SceneKey plane_keys[] = {
+    {.key = "origin", .kind = point, .unit = world_units, .range = place_range,
+     .left_out = needed, .example = "[0, 0, 0]", .meaning = "a corner"},
+    {.key = "u", .kind = point, .unit = world_units, .range = place_range, .left_out = needed,
+     .example = "[1, 0, 0]", .meaning = "from the corner along one side"},
+    {.key = "v", .kind = point, .unit = world_units, .range = place_range, .left_out = needed,
+     .example = "[0, 0, -1]",
+     .meaning = "along the other side, not parallel to u; all corners stay within -32767 .. 32767"},
+    material,
+};
+constexpr SceneKey patch_keys[] = {
+    {.key = "control", .kind = control, .unit = world_units, .range = place_range,
+     .left_out = needed, .example = "[16 points [x, y, z]]",
+     .meaning = "control points (i, j) of a bicubic Bezier patch: row j, i = 0 .. 3"},
+    material,
+};
+
+constexpr SceneTable tables[] = {
+    {"observer", false, "The view of the picture. It may be left out.", observer_keys},
+    {"light", false, "The light, and its view of the scene: the depth map. It must be given.",
+     light_keys},
+    {"material", true, "How surfaces are shaded.", material_keys},
+    {"sphere", true, "A sphere, drawn as 32 patches.", sphere_keys},
+    {"plane", true, "A parallelogram origin + s u + t v, 0 <= s, t <= 1.", plane_keys},
+    {"patch", true, "A surface of any shape, seen from both sides.", patch_keys},
+};
+constexpr auto names = [] {
+    std::array<std::string_view, std::size(tables) + 1> made{};
+    for (std::size_t k = 0; k < std::size(tables); ++k) made[k] = tables[k].name;
+    made.back() = "settings";
+    return made;
+}();
+
+std::string print(std::int64_t word, int fraction) {
+    if (word == 1 && fraction > 8) return fmt::format("2^-{}", fraction);  // 13 digits and more
+    std::array<char, fixed::longest_decimal> digits;
+    const int length = fixed::print_decimal(word, fraction, digits);
+    return {digits.data(), static_cast<std::size_t>(length)};
+}
+
+}  // namespace
+
+std::string print(const NumberRange& range) {
+    return print(range.min, range.fraction) + " .. " + print(range.max, range.fraction);
+}
+
+std::span<const SceneTable> scene_tables() { return tables; }
+
+std::span<const std::string_view> scene_table_names() { return names; }
+
+const SceneTable& scene_table(std::string_view name) {
+    const auto found = std::find_if(std::begin(tables), std::end(tables),
+                                    [&](const SceneTable& t) { return t.name == name; });
+    fixed::require(found != std::end(tables), "scene_table: no such table");
+    return *found;
+}
+
+const SceneKey& scene_key(const SceneTable& table, std::string_view key) {
+    const auto found = std::find_if(table.keys.begin(), table.keys.end(),
+                                    [&](const SceneKey& k) { return k.key == key; });
+    fixed::require(found != table.keys.end(), "scene_key: no such key");
+    return *found;
+}
+
+std::string title_of(const SceneTable& table) {
+    return table.many ? fmt::format("[[{}]]", table.name) : fmt::format("[{}]", table.name);
+}
+
+std::string print_range(const SceneKey& key) {
+    switch (key.kind) {
+        case choice: return fmt::format("{}", fmt::join(key.choices, ", "));
+        case text: return "a text";
+        case point: return fmt::format("[x, y, z], each {}", print(key.range));
+        case control: return fmt::format("16 points [x, y, z], or 4 rows of 4, each {}",
+                                         print(key.range));
+        case number: break;
+    }
+    if (!key.perspective) return print(key.range);
+    return fmt::format("{}, in perspective {}", print(key.range), print(*key.perspective));
+}
+
+std::string print_fallback(const SceneKey& key) {
+    if (!key.left_out.empty()) return std::string(key.left_out);
+    if (key.kind == choice) return std::string(key.choices[static_cast<std::size_t>(key.fallback)]);
+    return print(key.fallback, key.range.fraction);
+}
+
+}  // namespace umbra78::tools
