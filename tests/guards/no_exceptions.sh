@@ -5,9 +5,11 @@
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 
-# tools/scene but for the program's scene_file.cpp, which opens files and throws.
+# tools/scene but for the program's scene_file.cpp, which opens files and throws; of tools/truth
+# what is in closed form and what measures a mask against it.
 free="$(ls tools/scene/*.cpp | grep -v '/scene_file[.]cpp$') tools/io/suggest.cpp
-tools/io/text_formats.cpp tools/truth/truth.cpp"
+tools/io/text_formats.cpp tools/truth/truth.cpp tools/truth/metrics.cpp tools/truth/edge_bands.cpp
+tools/truth/edge_distance.cpp"
 free=${free//$'\n'/ }
 own_headers=$(for source in $free; do
   header=${source%.cpp}.hpp

@@ -17,7 +17,7 @@ std::string scene_keys_markdown() {
     std::string text =
         "# Keys of a scene file\n\n"
         "This page is printed by `umbra78 settings --scene`, from the tables by which scene files\n"
-        "are read. A scene file is TOML; `figures.toml` and `lamp.toml` are examples. The world is\n"
+        "are read. A scene file is TOML; see `figures.toml` and `lamp.toml`. The world is\n"
         "x right, y up, z toward an observer at azimuth 0. Numbers are decimals and are read\n"
         "exactly; lengths and angles are rounded to multiples of 2^-16, half to even. The middle\n"
         "of the scene is the middle of the box that holds the control points of all surfaces.\n";

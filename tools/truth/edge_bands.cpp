@@ -12,14 +12,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Where the light's ray through a point beside P meets the sheet of the surface P is on.
+// A surface point P is slid over its surface: the ray from a point beside P to the light meets the
+// surface again at t.
 struct Slid {
     double t = 0;
-    bool over_the_edge = true;  // the sheet does not reach there
+    bool over_the_edge = true;  // the surface ends before it
 };
 
-// The sheet toward the light is the later crossing of a ray that runs toward the light. A plane
-// that faces the light has no sheet behind it that could end in light: it counts as unbounded.
+// Of a sphere's two crossings the later one is on the side that faces the light. Beside a plane
+// that faces the light there is nothing of it that could cast a shadow, so it counts as unbounded.
 Slid slide(const TruthScene& scene, int surface, bool faces_light, const Ray& to_light) {
     const int spheres = static_cast<int>(scene.spheres.size());
     if (surface < spheres) {
@@ -100,15 +101,14 @@ Band edge_band(const Truth& truth, double radius_px) {
     return band;
 }
 
-Band light_texel_band(const TruthScene& scene, const TruthLight& light,
-                                           const TruthView& light_view, const Truth& truth,
-                                           double filter_radius_px, double reach_texels) {
+Band light_texel_band(const TruthScene& scene, const TruthLight& light, const TruthView& light_view,
+                      const Truth& truth, double filter_radius_px, double reach_texels) {
     const Real3 &right = light_view.rotation[0], &up = light_view.rotation[1];
     const auto texel = [&](std::size_t at) {
         const double depth = light_view.project(truth.position[at])[2];
         return light_view.pixel() * (light_view.perspective ? depth / light_view.distance : 1);
     };
-    // Whether truth's answer at the pixel is another one, `x`, `y` away in the light's image.
+    // Whether truth's answer changes where the pixel's point slides by (x, y) in the light's image.
     const auto changes = [&](std::size_t at, double x, double y) {
         const int surface = truth.surface[at];
         const bool faces_light = truth.n_dot_l[at] > 0;
@@ -135,8 +135,7 @@ Band light_texel_band(const TruthScene& scene, const TruthLight& light,
     return widened(band, truth.size, filter_radius_px);
 }
 
-Band seen_texel_band(const TruthView& light_view, const Truth& truth,
-                                          double reach_texels) {
+Band seen_texel_band(const TruthView& light_view, const Truth& truth, double reach_texels) {
     const LightImage image(light_view, truth);
     const Band edge = edge_band(truth, 1);
     std::vector<std::vector<std::size_t>> in_cell(image.cells());  // edge pixels, a cell a reach
@@ -154,9 +153,8 @@ Band seen_texel_band(const TruthView& light_view, const Truth& truth,
     return band;
 }
 
-Band widened(const Band& band, int size,
-                                  double radius_px) {
-    expect_image(band.size(), size, "the band");
+Band widened(const Band& band, int size, double radius_px) {
+    expect_image(band.size(), size);
     Band wider = band;
     for (std::size_t at = 0; at < band.size() && radius_px >= 1; ++at)
         if (band[at])

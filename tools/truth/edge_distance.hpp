@@ -5,13 +5,13 @@
 
 namespace umbra78::tools {
 
-// In pixels. An edge is the pixels in shadow with a
-// lit 4-neighbour, both seen by truth and the machine; each is as far from the other edge as its
-// nearest pixel. NaN where either shadow has no edge. Acne is edge, too: it counts by its distance
-// from a true one.
+// Distances in pixels, NaN where either shadow has no edge. An edge is the pixels in shadow that
+// have a lit 4-neighbour, where both truth and the machine see something. The distance of an edge
+// pixel is that to the nearest pixel of the other edge. The pixels round acne (false shadow on a
+// lit surface) are edge pixels, too, and count with their distance from a true edge.
 struct EdgeDistance {
-    double mean;       // of every pixel of both edges
-    double hausdorff;  // the greatest
+    double mean;       // over every pixel of both edges
+    double hausdorff;  // the largest
 };
 EdgeDistance edge_distance(const Truth&, const MachineMask&,
                            std::span<const std::uint8_t> leave_out = {});

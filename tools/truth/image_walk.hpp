@@ -1,26 +1,27 @@
-// Walks over the pixels of images, for what measures them.
+// Visits pixels of images of size * size values, row 0 at the top, for the measures of this room.
 #pragma once
 
+#include "fixed/trap.hpp"
 #include "tools/truth/metrics.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+#include <cstddef>
 
 namespace umbra78::tools {
 
-inline void expect_image(std::size_t length, int size, const char* name) {
-    if (length != static_cast<std::size_t>(size) * size)
-        throw std::invalid_argument(std::string(name) + " is not size * size values long");
+// Stops the program if an image is not size * size values long.
+inline void expect_image(std::size_t length, int size) {
+    fixed::require(length == static_cast<std::size_t>(size) * size,
+                   "truth: an image is not size * size values long");
 }
 
 // Calls visit(at) for each pixel that both see and `leave_out` keeps.
 template <class Visit>
 void for_compared(const Truth& truth, const MachineMask& mask,
                   std::span<const std::uint8_t> leave_out, Visit visit) {
-    expect_image(mask.shadow.size(), truth.size, "the mask");
-    if (!mask.visible.empty()) expect_image(mask.visible.size(), truth.size, "mask.visible");
-    if (!leave_out.empty()) expect_image(leave_out.size(), truth.size, "leave_out");
+    expect_image(mask.shadow.size(), truth.size);
+    if (!mask.visible.empty()) expect_image(mask.visible.size(), truth.size);
+    if (!leave_out.empty()) expect_image(leave_out.size(), truth.size);
     for (std::size_t at = 0; at < truth.visible.size(); ++at)
         if (truth.visible[at] && mask.drawn(at) && (leave_out.empty() || !leave_out[at]))
             visit(at);

@@ -29,7 +29,7 @@ ShadowError shadow_error(const Truth& truth, const MachineMask& mask,
 }
 
 int isolated_pixels(const MachineMask& mask, int size) {
-    expect_image(mask.shadow.size(), size, "the mask");
+    expect_image(mask.shadow.size(), size);
     int isolated = 0;
     for (std::size_t at = 0; at < mask.shadow.size(); ++at) {
         if (!mask.drawn(at)) continue;

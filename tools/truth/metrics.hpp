@@ -1,8 +1,9 @@
-// How far the machine's shadow is from truth. Whether what is wrong is moire or noise is for
-// tools/truth/spectrum.hpp to say.
+// How far the machine's shadow is from truth. Whether its errors are moire or noise is measured by
+// tools/truth/spectrum.hpp.
 //
 // Rates are fractions 0 .. 1. An image is size * size values, row 0 at the top, as in Truth; a
-// span of another length is std::invalid_argument. Bands are images of 0 and 1, for leaving out.
+// span of another length stops the program, as every broken precondition does (fixed/trap.hpp). A
+// band is an image of 0 and 1: its pixels are left out.
 #pragma once
 
 #include "tools/truth/truth.hpp"
@@ -28,7 +29,7 @@ struct MachineMask {
 struct ShadowError {
     int lit = 0, shadowed = 0;  // in truth
     int false_shadow = 0;       // lit in truth, shadowed in the mask: acne, moire
-    int false_light = 0;        // the reverse: leak, detachment
+    int false_light = 0;        // shadowed in truth, lit in the mask: leak, detached shadow
 
     double false_shadow_rate() const { return lit ? double(false_shadow) / lit : 0; }
     double false_light_rate() const { return shadowed ? double(false_light) / shadowed : 0; }
@@ -45,7 +46,7 @@ int isolated_pixels(const MachineMask&, int size);
 std::vector<double> error_image(const Truth&, const MachineMask&,
                                 std::span<const std::uint8_t> leave_out = {});
 
-// 1 where truth is lit and the machine drew: where acne and moire are looked for.
+// 1 where truth is lit and the machine drew: the pixels where acne and moire may be.
 std::vector<std::uint8_t> lit_pixels(const Truth&, const MachineMask&);
 
 // False shadow on one sphere, from the observer's limb (first bin) to the shadow line (last).

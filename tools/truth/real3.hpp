@@ -1,4 +1,4 @@
-// Vectors of three doubles, for truth: world units or directions.
+// Vectors of three doubles, for truth and studies: places in world units, or directions.
 #pragma once
 
 #include <array>

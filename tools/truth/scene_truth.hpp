@@ -1,7 +1,7 @@
 // A loaded scene's truth, and how far a drawn mask is from it.
 //
 // Spheres and planes have a closed form. A scene with free patches has none: its truth is traced
-// by tools/truth/patch_truth.hpp, and no errors are given for it where that is left out.
+// by tools/truth/patch_truth.hpp. In a program without Embree it has no truth.
 #pragma once
 
 #include "tools/scene/scene_file.hpp"
@@ -18,15 +18,14 @@ struct SceneTruth {
     TruthView observer, light_view;
     TruthLight light;
     Truth truth;
-    // Pixels of a plane or a free patch seen from its unlit side: dark by its shading, whatever
+    // 1: a plane or a free patch is seen from its unlit side. The shading makes it dark, whatever
     // the mask says.
     std::vector<std::uint8_t> unlit_side;
     bool closed_form = true;        // otherwise `scene` holds the spheres and planes only
     double tessellation_error = 0;  // PatchTruth's estimate
 };
 
-// Traced at the settings' resolution; nothing for a scene with free patches without
-// Embree.
+// Traced at the settings' resolution. Nothing for a scene with free patches without Embree.
 std::optional<SceneTruth> trace(const LoadedScene&);
 
 TruthView truth_view(const raster::View&, int size_px);
@@ -37,13 +36,13 @@ struct ShadowReport {
     EdgeDistance edge{};
     int isolated_pixels = 0;
     int threshold = 128;
-    std::optional<double> tessellation_error;  // where truth is no closed form: see PatchTruth
+    std::optional<double> tessellation_error;  // PatchTruth's, if truth has no closed form
 };
 
 Band light_texel_band(const SceneTruth&);            // without a filter's reach
 Band widened(const Band&, const SceneTruth&, const shadow::Settings&);  // with it
 
-// The reach of the mask's filters, for the band: a pixel for each low-pass and one for the edges.
+// How far the mask's filters reach: a pixel for each low-pass and one for the dequantizer.
 double filter_radius_px(const shadow::Settings&);
 
 ShadowReport report(const SceneTruth&, const MachineMask&, const Band&);

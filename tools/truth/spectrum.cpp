@@ -1,23 +1,18 @@
 #include "tools/truth/spectrum.hpp"
 
+#include "tools/truth/image_walk.hpp"
+
 #include <kissfft/kissfft.hh>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
 namespace umbra78::tools {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-void expect_image(std::size_t length, int size, const char* name) {
-    if (length != static_cast<std::size_t>(size) * size)
-        throw std::invalid_argument(std::string(name) + " is not size * size values long");
-}
 
 // Calls visit(power) for the bins the measures use.
 template <class Visit>
@@ -31,7 +26,7 @@ void for_bins(std::span<const double> power, int n, Visit visit) {
 
 // Rows, then columns; a real window's bin (-u, -v) equals its bin (u, v).
 std::vector<double> periodogram(std::span<const double> window, int n, Taper taper) {
-    expect_image(window.size(), n, "the window");
+    expect_image(window.size(), n);
     if (n == 0) return {};
     using Line = std::vector<std::complex<double>>;
     const kissfft<double> transform(static_cast<std::size_t>(n), false);
@@ -79,8 +74,8 @@ double peak_over_mean(std::span<const double> window, int n) {
 LocalFlatness median_local_flatness(std::span<const double> error, int size,
                                     std::span<const std::uint8_t> valid,
                                     const FlatnessSettings& settings) {
-    expect_image(error.size(), size, "the error image");
-    expect_image(valid.size(), size, "the valid mask");
+    expect_image(error.size(), size);
+    expect_image(valid.size(), size);
     const int n = settings.window;
     std::vector<double> scores, window(static_cast<std::size_t>(n) * n);
     for (int top = 0; top + n <= size; top += settings.stride)

@@ -1,7 +1,7 @@
 // Whether an error is periodic (moire) or noise: spectra of windows of an error image.
 //
-// An image is size * size values, row 0 at the top; a span of another length is
-// std::invalid_argument. White noise has a flatness of exp(-0.5772) = 0.5615.
+// An image is size * size values, row 0 at the top; a span of another length stops the program.
+// White noise has a flatness of exp(-0.5772) = 0.5615.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace umbra78::tools {
 
-// What the window is weighted with. Hann keeps a strong line from leaking over the others; with
-// none, the bins of white noise are independent, which Fisher's test needs.
+// What the window is weighted with. Hann keeps a strong line from leaking into other bins. Without
+// a taper the bins of white noise are independent, which Fisher's test needs.
 enum class Taper : std::uint8_t { hann, none };
 
 // The periodogram of an n x n window: mean subtracted, tapered, |DFT|^2, n * n bins in the DFT's
@@ -30,8 +30,8 @@ inline bool measured_bin(int u, int v, int n) {
 // a pattern that repeats. 0 for a constant window.
 double spectral_flatness(std::span<const double> window, int n);
 
-// Largest bin over the mean of the bins: about ln(n * n) for white noise; for a slanted plane.
-// 0 for a constant window.
+// Largest bin over the mean of the bins: about ln(n * n) for white noise. For windows that show one
+// slanted plane, whose moire is one line. 0 for a constant window.
 double peak_over_mean(std::span<const double> window, int n);
 
 struct LocalFlatness {
@@ -44,8 +44,9 @@ struct FlatnessSettings {
     int min_errors = 16;           // pixels that differ from the window's commonest value
 };
 
-// Spheres' moire is a chirp, which a whole-picture spectrum takes for noise; the median over
-// small windows does not. Windows with too few valid pixels or almost no error are left out.
+// The moire of a sphere is a chirp, which the spectrum of the whole picture takes for noise; the
+// median over small windows does not. Windows with too few valid pixels or fewer than `min_errors`
+// errors are left out.
 // Calibrated on white errors: 0.562 where half of the pixels err, 0.568 where a tenth do, 0.573
 // at 5 %, 0.592 at 2 %; a grating 0.02, a chirp 0.05. Compare errors of like density.
 LocalFlatness median_local_flatness(std::span<const double> error, int size,

@@ -1,8 +1,9 @@
 #include "tools/truth/spectrum_shape.hpp"
 
+#include "fixed/trap.hpp"
+
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace umbra78::tools {
 namespace {
@@ -119,8 +120,8 @@ RadialPower radial_power(std::span<const double> power, int n) {
 
 std::vector<double> cut_window(std::span<const double> image, int size, int left, int top,
                                int n) {
-    if (left < 0 || top < 0 || left + n > size || top + n > size)
-        throw std::invalid_argument("the window is not within the image");
+    fixed::require(left >= 0 && top >= 0 && left + n <= size && top + n <= size,
+                   "cut_window: the window is not within the image");
     std::vector<double> window;
     window.reserve(static_cast<std::size_t>(n) * n);
     for (int y = top; y < top + n; ++y)

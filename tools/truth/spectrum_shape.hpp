@@ -1,5 +1,5 @@
-// The shape of a spectrum: is its highest line more than chance, where does it stand, and is the
-// power spread evenly over frequencies and directions?
+// The shape of a spectrum: is its highest line more than chance, at which frequency is it, and is
+// the power spread evenly over frequencies and directions?
 //
 // Frequencies are in cycles a pixel, u along x and v along y (down), -1/2 .. 1/2. Of each
 // conjugate pair of bins one is counted: v > 0, or v = 0 and u > 0.
@@ -17,12 +17,13 @@ struct Frequency {
     double period_px() const;  // infinite for none
 };
 
-// Folded into -1/2 .. 1/2 by whole cycles, and of the pair (f, -f) the one that is counted.
+// The frequency within -1/2 .. 1/2 that has the same samples; of the pair (f, -f) the one that is
+// counted.
 Frequency aliased(Frequency);
-// Between two aliased frequencies, over the folds.
+// The distance of two frequencies whose samples are compared: the least one between their aliases.
 double distance(Frequency, Frequency);
 
-// The highest measured bin of a periodogram (n * n bins). `over_mean` is 0 where all are.
+// The highest measured bin of a periodogram (n * n bins). `over_mean` is 0 if all bins are 0.
 struct Peak {
     Frequency at;
     double over_mean = 0;
@@ -50,7 +51,7 @@ double fisher_p(double g, int ordinates);
 // rings' anisotropy a little.
 struct RadialPower {
     std::vector<double> frequency, power, anisotropy_db;  // by ring, out to 1/2
-    double max_anisotropy_db = 0;                    // of the rings with `least_bins`
+    double max_anisotropy_db = 0;                    // of the rings with `min_bins`
     static constexpr int min_bins = 8;
 };
 RadialPower radial_power(std::span<const double> power, int n);
@@ -63,7 +64,8 @@ struct SegmentedSpectrum {
 SegmentedSpectrum segmented_spectrum(std::span<const double> error, int size,
                                      std::span<const std::uint8_t> valid, int n);
 
-// The n x n window at (left, top).
+// The n x n window whose corner is at (left, top). A window that is not within the image stops the
+// program.
 std::vector<double> cut_window(std::span<const double> image, int size, int left, int top, int n);
 
 }  // namespace umbra78::tools

@@ -139,7 +139,7 @@ TEST(SegmentedSpectrum, LeavesOutSegmentsWithAHole) {
     valid[0] = 0;
     EXPECT_EQ(segmented_spectrum(Image(64 * 64, 1.0), 64, valid, 32).segments, 3);
     EXPECT_EQ(segmented_spectrum(Image(64 * 64, 1.0), 64, valid, 48).segments, 0);
-    EXPECT_THROW(cut_window(Image(64, 0.0), 8, 1, 0, 8), std::invalid_argument);
+    EXPECT_DEATH(cut_window(Image(64, 0.0), 8, 1, 0, 8), "");
     EXPECT_EQ(cut_window({{0, 1, 2, 3, 4, 5, 6, 7, 8}}, 3, 1, 1, 2), (Image{4, 5, 7, 8}));
 }
 
