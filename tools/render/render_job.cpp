@@ -1,6 +1,7 @@
 #include "tools/render/render_job.hpp"
 
 #include "tools/scene/checks.hpp"
+#include "tools/scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
