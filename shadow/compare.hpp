@@ -43,9 +43,11 @@ bool in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherW
     const hw::MachineSpec& spec = map.spec;
     const LightPlace at = light_place(spec, p, d);
     if (!at.inside) return false;
-    const bool four = interpolates(spec, map.lookup);
-    const TexelPlace t = texel_place(spec, four, at.x, at.y);
-    if (!four) return at.code > map.texel(t.x, t.y);
+    if (!interpolates(spec, map.lookup)) {  // whose fractions nobody reads
+        const TexelPlace t = texel_place(spec, false, at.x, at.y);
+        return at.code > map.texel(t.x, t.y);
+    }
+    const TexelPlace t = texel_place(spec, true, at.x, at.y);
     const FourCodes z = map.four(t.x, t.y);
     if (falls_back(spec, map.background, z))
         return at.code > z[nearest_of_four(spec, t.fx, t.fy)];

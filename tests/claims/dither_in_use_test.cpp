@@ -82,18 +82,18 @@ AxisBits seen_in_masks(Axis axis, DitherShape shape, Form form) {
     const auto odd = [&](std::size_t a) { return (axis == Axis::x ? a % size : a / size) % 2; };
     for (std::size_t a = 0; a < stripes.size(); ++a)
         stripes[a] = static_cast<hw::Depth16>(odd(a) != 0 ? m.deepest_drawn() : 0);
-    const hw::FrameStore<const hw::Depth16> observer{m.xy_bits, surface, {}};
-    const hw::FrameStore<const hw::Depth16> light{m.xy_bits, stripes, {}};
+    const shadow::DepthMaps<hw::Depth16> maps{.observer = {m.xy_bits, surface, {}},
+                                              .light = {m.xy_bits, stripes, {}}};
     const auto memory = std::make_unique<shadow::RowMemory>();
     AxisBits seen;
     for (std::size_t t = 0; t < thresholds.size(); ++t) {
         std::vector<std::uint8_t> mask(surface.size());
         const hw::MatrixWords matrix = moved(axis, thresholds[t]);
         if (form == Form::definition) {
-            post_process(observer, light, matrix, s, mask);
+            post_process(maps, matrix, s, mask);
         } else {
             EXPECT_TRUE(rows_cover(s, matrix));
-            post_process_rows(observer, light, matrix, s, *memory, mask);
+            post_process_rows(maps, matrix, s, *memory, mask);
         }
         seen[t].resize(mask.size());
         for (std::size_t a = 0; a < mask.size(); ++a)

@@ -93,8 +93,8 @@ std::string paper_scene_words(const LoadedScene& scene) {
                         "inline constexpr std::array<raster::Sphere, {}> spheres{{{{\n",
                         scene.spheres.size());
     for (const raster::Sphere& s : scene.spheres)
-        text += fmt::format("    {{{{{}, {}, {}}}, {}, 0}},  // ({:.6g}, {:.6g}, {:.6g}) radius "
-                            "{:.6g}\n",
+        text += fmt::format("    {{{{{}, {}, {}}}, {}, 0}},  // ({:.4g}, {:.4g}, {:.4g}) radius "
+                            "{:.4g}\n",
                             s.centre.x, s.centre.y, s.centre.z, s.radius, unit(s.centre.x),
                             unit(s.centre.y), unit(s.centre.z), unit(s.radius));
     const raster::Material& m = scene.materials.front();

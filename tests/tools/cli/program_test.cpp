@@ -49,8 +49,9 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
                                      "umbra78 trace --help"},
         {"trace a.toml --pixel 1,2 --json --waterfall",
          "--waterfall excludes --json; see umbra78 trace --help"},
-        {"settings --markdown", "unknown argument '--markdown'; known here: --help, --json; see "
-                                "umbra78 settings --help"},
+        {"settings --markdown",
+         "unknown argument '--markdown'; known here: --help, --scene, --json; see "
+         "umbra78 settings --help"},
     };
     for (const auto& [arguments, message] : cases) {
         const Ran ran = run(arguments);

@@ -92,7 +92,7 @@ TEST(RenderJob, ARefusalLeavesSettingsAndMatrices) {
     RenderJob job(scene.view(), scene.settings);
     shadow::Settings refused = scene.settings;
     refused.bias_unit = shadow::BiasUnit::world;
-    refused.bias_q16 = std::int64_t{1} << 40;
+    refused.bias_q16 = std::int64_t{1} << 50;
     const std::string error = error_of([&] { job.use(refused); });
     EXPECT_NE(error, "no error");
     expect_as_it_was(job, scene);
