@@ -92,7 +92,8 @@ TEST(ProjectedBounds, AreTheTexts) {
         for (std::int64_t& f : c[3].f) f += before;
         const bool distant = random.bits() % 4 == 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::int64_t size = std::max<std::int64_t>(w >> random.between(-5, 20), 1);
+            const std::int64_t down = random.between(-5, 20);  // below 0: a single unit
+            const std::int64_t size = std::max<std::int64_t>(down < 0 ? 0 : w >> down, 1);
             c[k] = random_component(random, std::min(size, std::int64_t{1} << 42),
                                     std::min(size >> random.between(2, 20), std::int64_t{1} << 43));
             const std::int64_t px = distant ? random.between(-5000, 5000)

@@ -272,7 +272,8 @@ TEST(CorrectSink, EverySampleIsTheSlowModels) {
         const LightMap<hw::Depth32> map{light.store, m, s.lookup, s.background};
         CorrectSink<hw::Depth32> sink(observer.store, map, unit, s, mask);
         raster::ShadingSpec shading;
-        const raster::BlockShading flat({}, shading, {});
+        const raster::Material material;  // it must outlive the shading, which refers to it
+        const raster::BlockShading flat({}, shading, material);
         const test::SlowNoise noise(s.dither, m);
         const std::int64_t edge = std::int64_t{m.half_px()} << 13;
         for (int n = 0; n < 300; ++n) {
