@@ -116,7 +116,7 @@ TEST(ProjectedBounds, AreTheTexts) {
     EXPECT_GT(bounded, 1000);
     EXPECT_GT(outside, 1000);
     EXPECT_GT(unknown, 1000);
-    EXPECT_GT(far, 100);
+    EXPECT_GT(far, effort(100));
 }
 
 // The products that are not made because they could be too large: at each of the limits 2^26 of the

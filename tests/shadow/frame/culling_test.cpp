@@ -108,7 +108,7 @@ PlannedScene receiver_beside_the_light(int gap, bool above) {
 }
 
 TEST(Culling, TheDithersMarginAtTheLightsEdge) {
-    constexpr int step = umbra78::test::sanitized ? 9 : 1;
+    constexpr int step = umbra78::test::sanitized ? 3 : 1;
     for (const bool above : {false, true}) {
         for (const hw::DitherShape shape :
              {hw::DitherShape::none, hw::DitherShape::uniform, hw::DitherShape::triangular}) {
