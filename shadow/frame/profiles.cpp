@@ -92,7 +92,17 @@ const Profile* find_profile(std::string_view name) {
     return nullptr;
 }
 
+bool is_set_by_profiles(std::string_view key) {
+    for (const Profile& p : table)
+        for (const ProfileValue& v : p.values)
+            if (v.key == key) return true;
+    return false;
+}
+
 void apply(const Profile& profile, Settings& settings) {
+    const Settings defaults;
+    for (const Setting& setting : settings_table())
+        if (is_set_by_profiles(setting.key)) setting.set(settings, setting.get(defaults));
     for (const ProfileValue& v : profile.values) {
         const Setting* setting = find_setting(v.key);
         fixed::require(setting != nullptr, "profile: no such setting");

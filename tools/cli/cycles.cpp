@@ -9,6 +9,7 @@
 #include "tools/render/report.hpp"
 #include "tools/scene/scene_file.hpp"
 #include "tools/scene/settings_text.hpp"
+#include "tools/scene/toml_text.hpp"
 #include "tools/watch/vcd.hpp"
 #include "tools/watch/waterfall.hpp"
 
@@ -63,8 +64,23 @@ void one_profile(const Options& options, const LoadedScene& scene) {
     print_claim(cost_claim(ledger));
 }
 
-void all_profiles(const Options& options, const LoadedScene& scene) {
-    const std::vector<ProfileCost> costs = profile_costs(scene);
+// The scene on a machine: --set comes after the profile, as it does for --profile alone.
+LoadedScene scene_on(const std::string& profile, const Options& options) {
+    std::vector<std::string> set = options.set;
+    for (const std::string& each : options.set)
+        if (parse_override(each).key == "profile")
+            throw SceneError(fmt::format("--set {}: {} gives the machine, too; leave one out", each,
+                                         options.all ? "--all" : "--profile"));
+    set.insert(set.begin(), "profile=" + profile);
+    return load_scene(options.scene, set);
+}
+
+void all_profiles(const Options& options) {
+    std::vector<ProfileCost> costs;
+    for (const shadow::Profile& profile : shadow::profiles()) {
+        const std::string name(profile.name);
+        costs.push_back(profile_cost(scene_on(name, options), name));
+    }
     if (options.json) {
         ordered_json json{{"scene", options.scene}, {"profiles", to_json(costs)}};
         fmt::print("{}", print(json));
@@ -92,10 +108,9 @@ void run(const Options& options) {
             throw SceneError("--profile, --vcd and --set need a scene; give its file");
         return all_figures(options);
     }
-    std::vector<std::string> set = options.set;
-    if (!options.profile.empty()) set.insert(set.begin(), "profile=" + options.profile);
-    const LoadedScene scene = load_scene(options.scene, set);
-    options.all ? all_profiles(options, scene) : one_profile(options, scene);
+    if (options.all) return all_profiles(options);
+    one_profile(options, options.profile.empty() ? load_scene(options.scene, options.set)
+                                                 : scene_on(options.profile, options));
 }
 
 }  // namespace

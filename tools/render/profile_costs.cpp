@@ -13,30 +13,6 @@ namespace {
 using nlohmann::ordered_json;
 using shadow::FrameLedger;
 
-ProfileCost profile_cost(const LoadedScene& scene, const shadow::Profile& profile, int figure) {
-    ProfileCost cost;
-    cost.profile = profile.name;
-    shadow::Settings settings = scene.settings;
-    shadow::apply(profile, settings);
-    try {
-        RenderJob job(scene.view(), settings);
-        job.render();
-        const FrameLedger whole = job.ledger(), l = of_figure(whole, figure);
-        const auto ms = [&](std::uint64_t cycles) {
-            return simulated_ms(cycles, settings.timing.clock_ns);
-        };
-        cost.claim = cost_claim(whole);
-        cost.busiest = whole.bottleneck();
-        cost.observer_ms = ms(FrameLedger::cycles(l.observer, true));
-        cost.light_ms = ms(FrameLedger::cycles(l.light, true));
-        cost.transformation_ms = ms(l.transformation(true));
-        cost.filters_ms = ms(l.filters(true));
-    } catch (const SceneError& error) {
-        cost.refused = error.what();
-    }
-    return cost;
-}
-
 const std::vector<std::string> columns{
     "profile",    "observer's view ms", "light's view ms",        "transformation ms",
     "filters ms", "total ms",           "both views / observer's", "transformation's bottleneck"};
@@ -57,10 +33,37 @@ std::vector<std::string> cells(const ProfileCost& c) {
 
 }  // namespace
 
+ProfileCost profile_cost(const LoadedScene& on_profile, std::string_view profile, int figure) {
+    ProfileCost cost;
+    cost.profile = profile;
+    try {
+        const shadow::Settings& settings = on_profile.settings;
+        RenderJob job(on_profile.view(), settings);
+        job.render();
+        const FrameLedger whole = job.ledger(), l = of_figure(whole, figure);
+        const auto ms = [&](std::uint64_t cycles) {
+            return simulated_ms(cycles, settings.timing.clock_ns);
+        };
+        cost.claim = cost_claim(whole);
+        cost.busiest = whole.bottleneck();
+        cost.observer_ms = ms(FrameLedger::cycles(l.observer, true));
+        cost.light_ms = ms(FrameLedger::cycles(l.light, true));
+        cost.transformation_ms = ms(l.transformation(true));
+        cost.filters_ms = ms(l.filters(true));
+    } catch (const SceneError& error) {
+        cost.refused = error.what();
+    }
+    return cost;
+}
+
 std::vector<ProfileCost> profile_costs(const LoadedScene& scene, int figure) {
     std::vector<ProfileCost> costs;
-    for (const shadow::Profile& p : shadow::profiles())
-        costs.push_back(profile_cost(scene, p, figure));
+    LoadedScene on_profile = scene;
+    for (const shadow::Profile& p : shadow::profiles()) {
+        on_profile.settings = scene.settings;
+        shadow::apply(p, on_profile.settings);
+        costs.push_back(profile_cost(on_profile, p.name, figure));
+    }
     return costs;
 }
 

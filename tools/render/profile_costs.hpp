@@ -21,6 +21,8 @@ struct ProfileCost {
     CostClaim claim{};
     double total_ms() const { return observer_ms + light_ms + transformation_ms + filters_ms; }
 };
+// Of a scene whose settings are the profile's already.
+ProfileCost profile_cost(const LoadedScene& on_profile, std::string_view profile, int figure = 6);
 std::vector<ProfileCost> profile_costs(const LoadedScene& scene, int figure = 6);
 
 std::string profile_table(const std::vector<ProfileCost>&);  // Markdown

@@ -30,8 +30,13 @@ std::string scene_keys_markdown() {
                             table.many ? " There may be any number of them." : "",
                             markdown_table(rows));
     }
-    return text + "\n## [settings]\n\nThe machine and what is done to the mask. A profile is set " +
-           "before the other keys.\n\n" + settings_markdown();
+    return text + "\n## [settings]\n\nThe machine and what is done to the mask.\n\n"
+           "A profile is a whole machine: it sets its keys, and every key that any other profile\n"
+           "sets to its default, so that a profile replaces another. The order is: the defaults,\n"
+           "the profile of [settings], the other keys of [settings], a profile of --set (or of\n"
+           "--profile, --all, --vary), the other keys of --set. What comes later replaces what\n"
+           "came before; of a key that --set gives twice, the last value counts.\n\n" +
+           settings_markdown();
 }
 
 ordered_json scene_keys_json() {

@@ -111,7 +111,8 @@ std::string settings_help() {
     std::vector<std::string_view> names;
     for (const shadow::Profile& profile : shadow::profiles()) names.push_back(profile.name);
     line("profile", fmt::format("{}", fmt::join(names, ", ")),
-         "a machine of the time: sets some of the keys below, before the others", "");
+         "a machine of the time: sets its keys, and every key that another profile sets to its "
+         "default; a profile in --set comes after [settings], other keys of --set after it", "");
     for (const Setting& s : shadow::settings_table())
         line(s.key, fmt::format("{}{}{}", print_range(s), s.unit.empty() ? "" : " ", s.unit),
              s.meaning, fmt::format("default {}", print(s, default_of(s))));

@@ -17,11 +17,12 @@ std::string print(const shadow::Setting&, std::int64_t word);
 std::string print_range(const shadow::Setting&);        // "4 .. 12", "nearest, bilinear"
 std::string print_source(const shadow::ProfileValue&);  // "assumed: ...", or the source
 
-// Applies a table's `profile` first and then its keys in their order. After an error the settings
-// are not to be used.
+// Applies a table's `profile` first (the last one, if there are several) and then its keys in their
+// order. After an error the settings are not to be used.
 void apply_settings(const TomlNode& table, shadow::Settings&, FirstError&);
 
-// The defaults, then the [settings] of a file (null: there are none), then the overrides. A
+// The defaults, then the [settings] of a file (null: there are none), then the overrides. So a
+// profile among the overrides replaces the file's profile and the file's keys that profiles set. A
 // perspective view takes the profile perspective24 unless a profile or coefficient_bits is given.
 shadow::Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective,
                                FirstError&);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string_view>
@@ -11,6 +12,7 @@ namespace umbra78::shadow {
 namespace {
 
 // What each profile sets, by key and word, beside the sources that shadow/frame/profiles.cpp gives.
+// A key that only other profiles set gets its default; what no profile sets stays as it was.
 TEST(Profiles, SetTheseValues) {
     using Values = std::map<std::string_view, std::int64_t>;
     const std::map<std::string_view, Values> expected{
@@ -39,26 +41,47 @@ TEST(Profiles, SetTheseValues) {
     for (const Profile& p : profiles()) {
         const auto found = expected.find(p.name);
         ASSERT_NE(found, expected.end()) << p.name;
-        // From settings that no profile names, so that each value has to be set.
+        // From values that no profile gives, so that each has to be set.
         Settings s;
         s.machine.coefficient_bits = 20;
         s.machine.multipliers = p.name == "affine16x16" ? 4 : 16;
         s.timing.clock_ns = 300;
         s.timing.divider = p.name == "affine16x16" ? hw::Divider::serial : hw::Divider::pipelined;
-        s.timing.light_banks = 1;
+        s.timing.light_banks = 2;
+        s.bias_q16 = 3 << 16;
         s.timing.dram = {300, 400, 150, 250, hw::DramRows::words, hw::Video::off};
+        s.arithmetic = p.name.starts_with("ap120b") ? Arithmetic::fixed : Arithmetic::ap120b;
         s.array_memory = p.name == "ap120b" ? hw::ap120b::MemorySpeed::fast
                                             : hw::ap120b::MemorySpeed::standard;
         const Settings before = s;
         apply(p, s);
         for (const Setting& row : settings_table()) {
             const auto value = found->second.find(row.key);
-            EXPECT_EQ(row.get(s),
-                      value == found->second.end() ? row.get(before) : value->second)
+            const bool of_another =
+                std::any_of(expected.begin(), expected.end(),
+                            [&](const auto& e) { return e.second.contains(row.key); });
+            EXPECT_EQ(of_another, is_set_by_profiles(row.key)) << row.key;
+            EXPECT_EQ(row.get(s), value != found->second.end() ? value->second
+                                  : of_another                 ? row.get(Settings{})
+                                                               : row.get(before))
                 << p.name << " " << row.key;
         }
         EXPECT_EQ(p.values.size(), found->second.size()) << p.name;
     }
+}
+
+// Whatever profile was there before, nothing of it is left.
+TEST(Profiles, ReplaceOneAnother) {
+    for (const Profile& before : profiles())
+        for (const Profile& p : profiles()) {
+            Settings alone, after;
+            apply(p, alone);
+            apply(before, after);
+            apply(p, after);
+            for (const Setting& row : settings_table())
+                EXPECT_EQ(row.get(after), row.get(alone))
+                    << p.name << " after " << before.name << ": " << row.key;
+        }
 }
 
 TEST(Profiles, AreMachinesThatClose) {
