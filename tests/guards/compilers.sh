@@ -62,7 +62,7 @@ while read -r buffer hash; do
   if [ -f $goldens ]; then
     grep -qx "$buffer $hash" $goldens || fail "$buffer is $hash, not what $goldens says"
   fi
-  grep -qE "\| $buffer \| \`$hash\`" hw/MACHINE.md ||
+  grep -qhE "\| $buffer \| \`$hash\`" hw/MACHINE.md hw/machine/*.md ||
     fail "$buffer is $hash, not what hw/MACHINE.md says"
 done <"$reference"
 verdict "$(wc -l <"$reference") buffers equal in $(wc -l <"$jobs_file") builds, two runs each"

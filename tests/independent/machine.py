@@ -18,7 +18,8 @@ import pathlib
 import re
 import sys
 
-from words import View, object_words, observer_to_light, published_hash, sphere, to_bytes
+from words import (BACKGROUND, View, half_up, object_words, observer_to_light, published_hash,
+                   sphere, to_bytes)
 from drawing import Shading, draw
 from shadows import bilinear, composite, dequantize, dither_words, low_pass, nearest, shadow_mask
 from ap120b import array_bilinear, array_mask, array_nearest
@@ -64,7 +65,11 @@ def figures():
     yield "edges5", 1, edges
     filtered = low_pass(edges, observer_z)
     yield "filtered5", 1, filtered
-    yield "picture6", 1, composite(intensity, filtered, 141)
+    # Where something is drawn the figures' ambient share is the same everywhere.
+    ambient = half_up(215 * 90 << 14, 1 << 22)
+    direct = [i - ambient if c != BACKGROUND else 0 for i, c in zip(intensity, observer_z)]
+    yield "direct", 1, direct
+    yield "picture6", 1, composite(intensity, direct, filtered, 218)
 
 
 def main():
@@ -75,7 +80,8 @@ def main():
     options = parser.parse_args()
     # The figures' rows have three columns before the buffer's name, the variants' one.
     row = r"^\|[^|]*\|[^|]*\|[^|]*\| (\w+) \| `(\w+:\d+x\d+:fnv1a64:[0-9a-f]{16})` \|"
-    text = options.machine.read_text(encoding="utf-8")
+    files = [options.machine, *(options.machine.parent / "machine").glob("*.md")]
+    text = "".join(file.read_text(encoding="utf-8") for file in files)
     published = dict(re.findall(row, text, re.MULTILINE))
     good = True
     for name, size, values in figures():

@@ -149,7 +149,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--machine", type=pathlib.Path, help="MACHINE.md",
                         default=here / "../../hw/MACHINE.md")
-    text = parser.parse_args().machine.read_text(encoding="utf-8")
+    machine = parser.parse_args().machine
+    files = [machine, *(machine.parent / "machine").glob("*.md")]
+    text = "".join(file.read_text(encoding="utf-8") for file in files)
     data = (here / "../goldens/observer_z.pgm").read_bytes()[-2 * N * N:]
     observer_z = [data[k] << 8 | data[k + 1] for k in range(0, len(data), 2)]
     if published_hash(observer_z, 2) not in text:

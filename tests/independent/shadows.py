@@ -135,5 +135,6 @@ def low_pass(mask, observer_z):
     return result
 
 
-def composite(intensity, mask, density):
-    return [(i * (65280 - m * density) + 32640) // 65280 for i, m in zip(intensity, mask)]
+def composite(intensity, share, mask, density):
+    return [(65280 * i - s * m * density + 32640) // 65280
+            for i, s, m in zip(intensity, share, mask)]

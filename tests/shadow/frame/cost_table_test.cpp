@@ -1,12 +1,10 @@
 // The constants of the costs are the rows of the table in hw/MACHINE.md, section 16, word for word.
 #include "raster/drawing_cost.hpp"
 #include "shadow/frame/filter_cost.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/machine_text.hpp"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace umbra78::shadow {
@@ -41,14 +39,10 @@ std::string linear(std::uint64_t at_0, std::uint64_t at_1, const char* unknown) 
     return text(at_0) + " + " + (slope == 1 ? "" : text(slope) + " ") + unknown;
 }
 
-std::string machine_text() {
-    std::ifstream file(UMBRA78_SOURCE_DIR "/hw/MACHINE.md");
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+using umbra78::test::machine_text;
 
 void expect_row(const std::string& line) {
-    static const std::string machine = machine_text();
-    EXPECT_NE(machine.find(line), machine.npos) << "not in hw/MACHINE.md: " << line;
+    EXPECT_NE(machine_text().find(line), std::string::npos) << "not in hw/MACHINE.md: " << line;
 }
 
 TEST(CostTable, Filters) {

@@ -8,6 +8,7 @@
 #include "fixed/fnv.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/support/buffers.hpp"
+#include "tests/support/machine_text.hpp"
 #include "tests/support/paths.hpp"
 
 #include <gtest/gtest-spi.h>
@@ -152,8 +153,7 @@ TEST(Golden, EveryBufferOfTheFigures) {
 
 // The normative text publishes the same hashes, in table rows "... | buffer | `hash` |".
 TEST(Golden, MachineMdPublishesTheHashes) {
-    std::ifstream file(fs::path(UMBRA78_SOURCE_DIR) / "hw" / "MACHINE.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string& text = umbra78::test::machine_text();
     for (const Plane& now : draw_figures()) {
         const std::string row = "| " + now.name + " | `" + hash_of(now) + "` |";
         EXPECT_NE(text.find(row), std::string::npos) << "hw/MACHINE.md has no " << row;

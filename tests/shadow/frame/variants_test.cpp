@@ -1,25 +1,32 @@
 // What figures 1 to 6 do not reach: other samplings, forms, widths, perspective and point light.
 //
-// Each variant is the figures' scene (from the fifth on, with a floor) with a few settings changed.
-// Its hashes are looked up in hw/MACHINE.md, section 15; the scene words here are that section's.
+// The variants are the rows of the table in hw/MACHINE.md, section 15: a scene, two views, settings
+// and buffers. Each buffer's hash is a row of the table after it. A row that is missing or wrong is
+// printed as it should be.
+#include "fixed/decimal.hpp"
 #include "fixed/fnv.hpp"
-#include "shadow/frame/profiles.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/shadow/frame/variant_scenes.hpp"
+#include "tests/support/machine_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace umbra78::shadow {
 namespace {
 
+using umbra78::test::machine_table;
+using umbra78::test::machine_text;
+
+constexpr const char* variants_head = "| variant | scene | observer |";
+constexpr const char* hashes_head = "| variant | buffer | hash |";
+
 template <class Value>
-std::string hash(std::span<const Value> values, int size) {
+std::string hash(std::span<Value> values, int size) {
     fixed::Fnv1a64 h;
     for (const Value v : values) {
         if constexpr (sizeof(Value) == 1) h.byte(v);
@@ -33,200 +40,125 @@ std::string hash(std::span<const Value> values, int size) {
     return text;
 }
 
-const std::string& machine_md() {
-    static const std::string text = [] {
-        std::ifstream file(UMBRA78_SOURCE_DIR "/hw/MACHINE.md");
-        return std::string(std::istreambuf_iterator<char>(file), {});
-    }();
-    return text;
+void expect_documented(const std::string& row) {
+    EXPECT_NE(machine_text().find(row), std::string::npos)
+        << "hw/MACHINE.md, section 15, has no row\n" << row;
 }
 
-// A row of the table: | variant | buffer | `hash` |
-void expect_documented(const std::string& variant, const std::string& buffer,
-                       const std::string& hash) {
-    const std::string row = "| " + variant + " | " + buffer + " | `" + hash + "` |";
-    EXPECT_NE(machine_md().find(row), std::string::npos)
-        << "hw/MACHINE.md, section 15, has no row\n  " << row;
+std::vector<std::string> split(const std::string& list) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0, to; from < list.size(); from = to + 2) {
+        to = std::min(list.find(", ", from), list.size());
+        parts.push_back(list.substr(from, to - from));
+    }
+    return parts;
+}
+
+// "key value", as the setting's own kind is written.
+void set(Settings& settings, const std::string& text) {
+    const std::size_t blank = text.find(' ');
+    const Setting* s = find_setting(text.substr(0, blank));
+    ASSERT_NE(s, nullptr) << text;
+    const std::string value = text.substr(blank + 1);
+    std::int64_t word = -1;
+    for (std::size_t k = 0; k < s->names.size(); ++k)
+        if (value == s->names[k]) word = static_cast<std::int64_t>(k);
+    if (s->kind != SettingKind::choice) {
+        const fixed::DecimalResult read = fixed::parse_decimal(value, s->fraction, 63);
+        ASSERT_EQ(read.status, fixed::DecimalStatus::ok) << text;
+        word = read.value;
+    }
+    ASSERT_TRUE(word >= s->min && word <= s->max) << text;
+    s->set(settings, word);
+}
+
+Settings variant_settings(const std::string& list) {
+    Settings settings;
+    settings.ambient_q8 = paper_scene::ambient_q8;
+    for (const std::string& one : split(list)) set(settings, one);
+    return settings;
 }
 
 template <class Depth>
-void expect_variant(const std::string& name, const Scene& scene, const Settings& settings) {
-    test::Frame<Depth> f(scene, settings);
+std::string buffer_hash(const test::Frame<Depth>& f, const std::string& buffer, int size) {
+    const LightBuffers<Depth>& light = f.buffers.lights[0];
+    if (buffer == "observer_z") return hash(f.buffers.observer.depth, size);
+    if (buffer == "light_z") return hash(light.map.depth, size);
+    if (buffer == "intensity") return hash(f.buffers.observer.intensity, size);
+    if (buffer == "mask") return hash(light.mask, size);
+    if (buffer == "edges") return hash(light.edges, size);
+    if (buffer == "filtered") return hash(light.filtered, size);
+    if (buffer == "picture") return hash(f.buffers.picture, size);
+    return "no such buffer";
+}
+
+template <class Depth>
+void expect_variant(const std::vector<std::string>& row, const Settings& settings) {
+    const test::VariantScene scene(row[1]);
+    const test::Frame<Depth> f(scene.scene(row[2], row[3]), settings);
     ASSERT_EQ(f.status, FrameStatus::ok);
     EXPECT_EQ(f.counts.lights[0].map.unresolved + f.counts.observer.unresolved, 0u);
-    const int size = settings.machine.size_px();
-    expect_documented(name, "observer_z", hash<Depth>(f.buffers.observer.depth, size));
-    expect_documented(name, "light_z", hash<Depth>(f.buffers.lights[0].map.depth, size));
-    expect_documented(name, "intensity",
-                      hash<std::uint8_t>(f.buffers.observer.intensity, size));
-    expect_documented(name, "mask", hash<std::uint8_t>(f.buffers.lights[0].mask, size));
+    for (const std::string& buffer : split(row[5]))
+        expect_documented("| " + row[0] + " | " + buffer + " | `" +
+                          buffer_hash(f, buffer, settings.machine.size_px()) + "` |");
 }
 
-// The mask alone, on the AP-120B: section 18's table.
-void expect_on_array(const std::string& name, const Scene& scene, Settings settings) {
-    const int coefficient_bits = settings.machine.coefficient_bits;  // of the views: stays
-    apply(*find_profile("ap120b"), settings);
-    settings.machine.coefficient_bits = coefficient_bits;
-    test::Frame<> f(scene, settings);
-    ASSERT_EQ(f.status, FrameStatus::ok);
-    expect_documented(name, "mask_ap120b", hash<std::uint8_t>(f.buffers.lights[0].mask, 512));
-}
-
-// The four spheres on a floor of 6 by 6 units.
-struct FloorScene {
-    std::vector<raster::Patch> patches;
-    std::array<raster::Material, 1> materials{figure_material};
-
-    FloorScene() {
-        const FigurePatches spheres = figure_patches();
-        patches.assign(spheres.begin(), spheres.end());
-        patches.push_back(raster::plane_patch(
-            {{-3 * 65536, -127795, 3 * 65536}, {6 * 65536, 0, 0}, {0, 0, -6 * 65536}, 0}));
-    }
-    void fit(raster::View& v) const { raster::fit_depth(v, raster::depth_range(v, patches)); }
-
-    raster::View perspective_observer() const {
-        raster::View v;
-        v.projection = raster::Projection::perspective;
-        v.axes = raster::axes_from_angles(30 * 65536, 20 * 65536);
-        v.extent = 2 * 65536;
-        v.distance = 6 * 65536;
-        fit(v);
-        return v;
-    }
-    raster::View far_light() const {
-        raster::View v;
-        v.axes = raster::axes_from_angles(-100 * 65536, 30 * 65536);
-        v.extent = 4 * 65536;
-        fit(v);
-        return v;
-    }
-    raster::View point_light() const {
-        raster::View v;
-        v.projection = raster::Projection::perspective;
-        const raster::World at{-5 * 65536, 4 * 65536, 2 * 65536};
-        raster::axes_from_points(at, v.target, v.axes);
-        v.distance = 439629;  // sqrt(45) units
-        v.extent = 4 * 65536;
-        fit(v);
-        return v;
-    }
+// A row of the table, printed by its name alone.
+struct Variant {
+    std::vector<std::string> row;
+    friend void PrintTo(const Variant& v, std::ostream* out) { *out << v.row[0]; }
 };
 
-Settings figure_four() { return figure_settings(4); }
-
-TEST(Variants, leaf_sampling) {
-    test::FigureScene s;
-    Settings set = figure_settings(3);
-    set.sampling = raster::Sampling::leaf;
-    expect_variant<hw::Depth16>("leaf", s.scene(), set);
+std::vector<Variant> variants() {
+    std::vector<Variant> all;
+    for (const auto& row : machine_table(variants_head)) all.push_back({row});
+    return all;
 }
 
-TEST(Variants, short_accumulator) {
+class Variants : public ::testing::TestWithParam<Variant> {};
+
+TEST_P(Variants, HaveTheirPublishedHashes) {
+    const std::vector<std::string>& row = GetParam().row;
+    ASSERT_EQ(row.size(), 6u);
+    const Settings settings = variant_settings(row[4]);
+    if (settings.machine.z_bits <= 16) {
+        expect_variant<hw::Depth16>(row, settings);
+    } else {
+        expect_variant<hw::Depth32>(row, settings);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheDocument, Variants, ::testing::ValuesIn(variants()),
+                         [](const auto& variant) { return variant.param.row[0]; });
+
+// Every hash is of a variant and of a buffer that the variant has.
+TEST(VariantTables, NameTheSameBuffers) {
+    std::set<std::string> wanted, found;
+    for (const auto& row : machine_table(variants_head))
+        for (const std::string& buffer : split(row[5])) wanted.insert(row[0] + ' ' + buffer);
+    for (const auto& row : machine_table(hashes_head)) found.insert(row[0] + ' ' + row[1]);
+    EXPECT_GE(wanted.size(), 38u);
+    EXPECT_EQ(wanted, found);
+}
+
+// --- masks of the figures' scene by short accumulators --------------------------------------
+
+TEST(ShortAccumulator, CutsProducts) {
     const test::FigureScene s;
-    Settings set = figure_settings(3);
-    set.machine.max_accumulator_bits = 22;
-    const test::Frame<> f(s.scene(), set);
+    const test::Frame<> f(s.scene(), variant_settings("accumulator_bits 22"));
     ASSERT_EQ(f.status, FrameStatus::ok);
-    expect_documented("a short accumulator | figure 3's, A = 22", "mask3_short",
-                      hash<std::uint8_t>(f.buffers.lights[0].mask, 512));
+    expect_documented("a short accumulator | accumulator_bits 22 | mask3_short | `" +
+                      hash(f.buffers.lights[0].mask, 512) + "` |");
 }
 
 // The constant of each row is cut, too: 100 quanta of bias are no multiple of what is left.
-TEST(Variants, shorter_accumulator_rounded) {
+TEST(ShortAccumulator, RoundsProductsAndConstants) {
     const test::FigureScene s;
-    Settings set = figure_settings(3);
-    set.machine.max_accumulator_bits = 16;
-    set.machine.product_rounding = fixed::Rounding::half_up;
-    set.bias_q16 = 100 << 16;
-    const test::Frame<> f(s.scene(), set);
+    const std::string list = "accumulator_bits 16, product_rounding half_up, bias 100";
+    const test::Frame<> f(s.scene(), variant_settings(list));
     ASSERT_EQ(f.status, FrameStatus::ok);
-    expect_documented("a shorter one, rounded | A = 16, product_rounding half_up, bias 100",
-                      "mask3_shorter", hash<std::uint8_t>(f.buffers.lights[0].mask, 512));
-}
-
-TEST(Variants, short_accumulators_that_divide_or_draw) {
-    FloorScene floor;
-    Settings set = figure_four();
-    set.machine.coefficient_bits = 24;
-    set.machine.max_accumulator_bits = 22;
-    const Scene scene{floor.patches, floor.materials, floor.perspective_observer(),
-                      {{floor.point_light()}}};
-    const test::Frame<> divided(scene, set);
-    ASSERT_EQ(divided.status, FrameStatus::ok);
-    expect_documented("point, A = 22", "mask",
-                      hash<std::uint8_t>(divided.buffers.lights[0].mask, 512));
-
-    const test::FigureScene s;
-    Settings correct = figure_four();
-    correct.form = Form::correct;
-    correct.machine.max_accumulator_bits = 20;
-    const test::Frame<> drawn(s.scene(), correct);
-    ASSERT_EQ(drawn.status, FrameStatus::ok);
-    expect_documented("correct, A = 20", "mask",
-                      hash<std::uint8_t>(drawn.buffers.lights[0].mask, 512));
-}
-
-TEST(Variants, index_registration) {
-    test::FigureScene s;
-    Settings set = figure_settings(3);
-    set.registration = Registration::index;
-    expect_variant<hw::Depth16>("index", s.scene(100 * 65536), set);
-    expect_on_array("index", s.scene(100 * 65536), set);
-}
-
-TEST(Variants, fall_back) {
-    test::FigureScene s;
-    Settings set = figure_four();
-    set.background = Background::fall_back;
-    expect_variant<hw::Depth16>("fall_back", s.scene(), set);
-    expect_on_array("fall_back", s.scene(), set);
-}
-
-TEST(Variants, correct_form) {
-    test::FigureScene s;
-    Settings set = figure_four();
-    set.form = Form::correct;
-    expect_variant<hw::Depth16>("correct", s.scene(), set);
-}
-
-TEST(Variants, narrow_words) {
-    test::FigureScene s;
-    Settings set = figure_four();
-    set.machine.xy_bits = 8;
-    set.machine.z_bits = 12;
-    set.machine.coefficient_bits = 12;
-    set.machine.fraction_bits = 5;
-    set.bias_q16 = 12 << 16;
-    expect_variant<hw::Depth16>("narrow", s.scene(), set);
-}
-
-TEST(Variants, wide_words) {
-    test::FigureScene s;
-    Settings set = figure_four();
-    set.machine.z_bits = 24;
-    set.machine.coefficient_bits = 32;
-    set.machine.fraction_bits = 12;
-    set.bias_q16 = std::int64_t{192 << 8} << 16;
-    expect_variant<hw::Depth32>("wide", s.scene(), set);
-}
-
-TEST(Variants, perspective_observer) {
-    FloorScene s;
-    Settings set = figure_four();
-    set.machine.coefficient_bits = 24;
-    const Scene scene{s.patches, s.materials, s.perspective_observer(), {{s.far_light()}}};
-    expect_variant<hw::Depth16>("perspective", scene, set);
-    expect_on_array("perspective", scene, set);
-}
-
-TEST(Variants, point_light) {
-    FloorScene s;
-    Settings set = figure_four();
-    set.machine.coefficient_bits = 24;
-    const Scene scene{s.patches, s.materials, s.perspective_observer(), {{s.point_light()}}};
-    expect_variant<hw::Depth16>("point", scene, set);
-    expect_on_array("point", scene, set);
+    expect_documented("a shorter one, rounded | " + list + " | mask3_shorter | `" +
+                      hash(f.buffers.lights[0].mask, 512) + "` |");
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+// The scenes and views of the variants of hw/MACHINE.md, section 15, by their names there.
+#pragma once
+
+#include "shadow/frame/frame.hpp"
+#include "shadow/frame/paper_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace umbra78::shadow::test {
+
+// The figures' four spheres; `floor` has a plane of 6 by 6 units with them.
+struct VariantScene {
+    std::vector<raster::Patch> patches;
+    std::array<raster::Material, 1> materials{figure_material};
+
+    explicit VariantScene(const std::string& name) {
+        const FigurePatches spheres = figure_patches();
+        patches.assign(spheres.begin(), spheres.end());
+        if (name == "floor")
+            patches.push_back(raster::plane_patch(
+                {{-3 * 65536, -127795, 3 * 65536}, {6 * 65536, 0, 0}, {0, 0, -6 * 65536}, 0}));
+        else
+            EXPECT_EQ(name, "spheres");
+    }
+    Scene scene(const std::string& observer, const std::string& light) const {
+        return {patches, materials, view(observer), {{view(light)}}};
+    }
+
+private:
+    struct Place {
+        int azimuth, elevation;  // degrees
+        std::int32_t extent;
+    };
+    raster::View orthographic(Place p, std::int32_t depth) const {
+        raster::View v;
+        v.axes = raster::axes_from_angles(p.azimuth * 65536, p.elevation * 65536);
+        v.extent = p.extent;
+        return in_depths(v, -depth, depth);
+    }
+    raster::View perspective(Place p, std::int32_t distance, std::int32_t near = 0,
+                             std::int32_t far = 0) const {
+        raster::View v = orthographic(p, 1);
+        v.projection = raster::Projection::perspective;
+        v.distance = distance;
+        return in_depths(v, near, far);
+    }
+    raster::View lamp(const raster::World& at, std::int32_t extent, std::int32_t distance,
+                      std::int32_t near = 0, std::int32_t far = 0) const {
+        raster::View v = perspective({0, 0, extent}, distance, 1, 2);
+        EXPECT_TRUE(raster::axes_from_points(at, v.target, v.axes));
+        return in_depths(v, near, far);
+    }
+    // Equal depths: they are fitted to the scene.
+    raster::View in_depths(raster::View v, std::int32_t near, std::int32_t far) const {
+        v.near_depth = near;
+        v.far_depth = far;
+        if (near == far) raster::fit_depth(v, raster::depth_range(v, patches));
+        return v;
+    }
+
+    raster::View view(const std::string& name) const {
+        if (name == "front") return orthographic({0, 0, 131072}, 131072);
+        if (name == "left") return orthographic({-100, 0, 131072}, 131072);
+        if (name == "right") return orthographic({100, 0, 131072}, 131072);
+        if (name == "oblique") return perspective({30, 20, 131072}, 393216);
+        if (name == "sun") return orthographic({-100, 30, 262144}, 0);
+        if (name == "lamp") return lamp({-327680, 262144, 131072}, 262144, 439629);
+        ADD_FAILURE() << "no view " << name;
+        return {};
+    }
+};
+
+}  // namespace umbra78::shadow::test
