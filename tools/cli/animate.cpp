@@ -2,6 +2,7 @@
 // scene. Pictures of the same inputs that are already in the folder are not drawn again.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/io/console.hpp"
 #include "tools/io/interruptible.hpp"
 #include "tools/render/sequence_manifest.hpp"
 #include "tools/render/plan_text.hpp"
@@ -14,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <charconv>
 #include <chrono>
 #include <memory>
 #include <set>
@@ -83,6 +85,7 @@ private:
         }
     }
     void warn();
+    void warn_of_other_frames();
     void draw(int frame);
     void store(const std::string& file, const std::string& inputs);
     void report(int frame, const ordered_json& row) const;
@@ -116,11 +119,33 @@ void Sequence::store(const std::string& file, const std::string& inputs) {
     files.commit();
 }
 
+// Pictures of an earlier, longer sequence stay where they are: a player would show them, too.
+void Sequence::warn_of_other_frames() {
+    std::set<std::string> other;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+        const std::string name = entry.path().filename().string();
+        int frame = 0;
+        const char* const digits = name.data() + std::string_view("frame_").size();
+        if (name.starts_with("frame_") && name.ends_with(".png") &&
+            std::from_chars(digits, name.data() + name.size(), frame).ptr ==
+                name.data() + name.size() - std::string_view(".png").size() &&
+            frame > options_.frames)
+            other.insert(name);
+    }
+    if (other.empty()) return;
+    const std::string warning = fmt::format(
+        "{} also holds {} of another sequence ({}); remove them, or name another folder with --out",
+        folder_.string(),
+        other.size() == 1 ? "a frame" : fmt::format("{} frames", other.size()),
+        other.size() == 1 ? *other.begin() : *other.begin() + " to " + *other.rbegin());
+    warned_.insert(warning);
+    print_warning(warning);
+}
+
 // Prints each warning once for the whole sequence.
 void Sequence::warn() {
     for (const std::string& warning : scene_->warnings)
-        if (warned_.insert(warning).second)
-            fmt::print(stderr, "umbra78: warning: {}\n", warning);
+        if (warned_.insert(warning).second) print_warning(warning);
 }
 
 void Sequence::draw(int frame) {
@@ -166,8 +191,8 @@ void Sequence::report(int frame, const ordered_json& row) const {
 // Only on a terminal on which the rows are not printed.
 void Sequence::show_progress(int frame) const {
     if (!isatty(STDERR_FILENO) || (!options_.json && isatty(STDOUT_FILENO))) return;
-    fmt::print(stderr, "\rframe {} of {}{}", frame, options_.frames,
-               frame == options_.frames ? "\n" : "");
+    print_progress(fmt::format("\rframe {} of {}{}", frame, options_.frames,
+                               frame == options_.frames ? "\n" : ""));
 }
 
 void Sequence::run() {
@@ -185,6 +210,7 @@ void Sequence::run() {
     FileSet files;
     write_manifest(folder_, manifest_, files);
     files.commit();
+    warn_of_other_frames();
 }
 
 ordered_json Sequence::to_json() const {
@@ -222,9 +248,9 @@ void add_animate_command(CLI::App& app, int&) {
                  "Move the light's azimuth from A to B degrees");
     command.text("--observer", options->observer, "A:B",
                  "Move the observer's azimuth from A to B degrees");
-    command.text("--out", options->out, "DIR",
-                 "Folder for frame_0001.png ... and frames.json; default: the scene's name. "
-                 "Frames already there with the same inputs are not drawn again");
+    command.output_folder("--out", options->out,
+                          "Folder for frame_0001.png ... and frames.json; default: the scene's "
+                          "name. Frames already there with the same inputs are not drawn again");
     command.set(options->set);
     command.json(options->json);
     command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"

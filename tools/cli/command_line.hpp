@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -51,6 +53,18 @@ public:
                     const std::string& help);
     Argument flag(const std::string& name, bool& value, const std::string& help);
 
+    // Texts that are paths. Before the command runs, they are all tried: no output is an input, has
+    // the ending of another format (`ending` is ".png"), or is without its folder, unless that is
+    // in an output folder of the command. Where an output is "-", standard output takes the file,
+    // and what is printed goes to standard error.
+    Argument input(const std::string& name, std::string& value, const std::string& type,
+                   const std::string& help);
+    Argument inputs(const std::string& name, std::vector<std::string>& values,
+                    const std::string& type, const std::string& help);
+    Argument output(const std::string& name, std::string& value, std::string_view ending,
+                    const std::string& help);
+    Argument output_folder(const std::string& name, std::string& value, const std::string& help);
+
     // Arguments that most commands have.
     void scene(std::string& file);
     void set(std::vector<std::string>& overrides);
@@ -65,7 +79,9 @@ public:
     bool has_command_below() const;
 
 private:
+    struct Paths;
     CLI::App* app_;
+    std::shared_ptr<Paths> paths_;
 };
 
 }  // namespace umbra78::tools

@@ -1,6 +1,7 @@
 // umbra78 cycles: prints where a frame's cycles go on a machine of the time, unit by unit.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/io/suggest.hpp"
 #include "tools/paper/figure_costs.hpp"
 #include "tools/render/ap120b_report.hpp"
 #include "tools/render/cycle_report.hpp"
@@ -66,6 +67,12 @@ void one_profile(const Options& options, const LoadedScene& scene) {
 
 // The scene on a machine: --set comes after the profile, as it does for --profile alone.
 LoadedScene scene_on(const std::string& profile, const Options& options) {
+    if (shadow::find_profile(profile) == nullptr) {
+        std::vector<std::string_view> known;
+        for (const shadow::Profile& each : shadow::profiles()) known.push_back(each.name);
+        throw SceneError(fmt::format("--profile {}: there is no such profile; {}", profile,
+                                     suggest(profile, known)));
+    }
     std::vector<std::string> set = options.set;
     for (const std::string& each : options.set)
         if (parse_override(each).key == "profile")
@@ -118,17 +125,17 @@ void run(const Options& options) {
 void add_cycles_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
     Command command(app, "cycles", "Print where a frame's cycles go on a machine of the time");
-    command.text("scene", options->scene, "FILE",
-                 "Scene file (TOML); default: figures 1 to 6 on every profile");
+    command.input("scene", options->scene, "FILE",
+                  "Scene file (TOML); default: figures 1 to 6 on every profile");
     const Argument profile = command.text("--profile", options->profile, "PROFILE",
                                           "The machine; umbra78 settings lists them");
     const Argument all =
         command.flag("--all", options->all, "Print a row for each profile").excludes(profile);
     command.set(options->set);
     command
-        .text("--vcd", options->vcd, "FILE",
-              "Write the machine's first cycles as a value change dump, for a waveform viewer "
-              "such as GTKWave")
+        .output("--vcd", options->vcd, ".vcd",
+                "Write the machine's first cycles as a value change dump, for a waveform viewer "
+                "such as GTKWave")
         .excludes(all);
     command.json(options->json);
     command.footer("Example:\n  umbra78 cycles tools/scenes/figures.toml --profile affine16x1");

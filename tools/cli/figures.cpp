@@ -1,6 +1,7 @@
 // umbra78 figures: draws figures 1 to 6, prints their errors and cost, compares with the goldens.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/io/console.hpp"
 #include "tools/io/sheet.hpp"
 #include "tools/paper/figure_comparisons.hpp"
 #include "tools/paper/goldens.hpp"
@@ -126,8 +127,8 @@ bool accept(std::span<const GoldenCheck> checks, const Options& options, int siz
             write_png_rgb(picture, size_px, size_px, check.picture, &files);
             see = fmt::format("; see {}", picture.string());
         }
-        fmt::print(stderr, "umbra78: {} differs from its golden: {}{}\n", check.buffer,
-                   check.problem, see);
+        print_error(fmt::format("{} differs from its golden: {}{}", check.buffer, check.problem,
+                                see));
     }
     return all_right;
 }
@@ -189,7 +190,7 @@ void run(const Options& options, int& exit_code) {
 void add_figures_command(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<Options>();
     Command command(app, "figures", "Draw figures 1 to 6 of Williams 1978");
-    command.text("--out", options->out, "DIR", "Folder for the pictures").default_shown();
+    command.output_folder("--out", options->out, "Folder for the pictures").default_shown();
     command.text("--goldens", options->goldens, "DIR", "Folder of the goldens").default_shown();
     const Argument check = command.flag(
         "--check", options->check,

@@ -1,9 +1,12 @@
 // umbra78: the program. It reads the command line, runs one command and returns its exit code.
 //
-// Exit code 0: done; 1: it failed, or a golden or a row differs; 2: wrong usage. An error is one
-// line on standard error, whatever a file or an argument contained.
+// Exit code 0: done; 1: it failed, a golden or a row differs, or something that is to be printed
+// could not be; 2: wrong usage. An error is one line on standard error, whatever a file or an
+// argument contained.
 #include "fixed/trap.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/io/console.hpp"
+#include "tools/io/partial_file.hpp"
 #include "tools/io/suggest.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,21 +15,34 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using namespace umbra78::tools;
 
-// Control characters become blanks, so that the message stays one line.
 int fail(std::string what, int exit_code) {
-    for (char& letter : what)
-        if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
-    fmt::print(stderr, "umbra78: {}\n", what);
+    print_error(std::move(what));
     return exit_code;
+}
+
+// CLI11 prints help with std::cout, whose buffer is standard output's.
+bool printed_all() {
+    errno = 0;
+    std::cout.flush();
+    return std::fflush(stdout) == 0 && std::cout.good() && std::ferror(stdout) == 0;
+}
+
+// The reason is lost where std::cout met it.
+int fail_to_print() {
+    const std::string why = errno != 0 ? std::generic_category().message(errno)
+                                       : "standard output is full or closed";
+    return fail("cannot print: " + why + "; give a place that can be written to", 1);
 }
 
 // CLI11's error as one line, with what to do about it.
@@ -60,6 +76,8 @@ extern "C" void umbra78_trapped(const char* why) {
 }
 
 int main(int argc, char** argv) {
+    open_standard_streams();
+    remove_partial_files_on_signals();
     CLI::App app{"The shadow machine of Lance Williams' \"Casting Curved Shadows on Curved "
                  "Surfaces\" (1978), in fixed point and bit for bit."};
     app.name("umbra78");
@@ -84,9 +102,9 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return fail("not enough memory; lower xy_bits or z_bits", 1);
     } catch (const std::exception& error) {
+        if (std::ferror(stdout) != 0) return fail_to_print();
         return fail(error.what(), 1);
     }
-    if (std::fflush(stdout) != 0)
-        return fail("cannot print: " + std::generic_category().message(errno), 1);
-    return exit_code;
+    if (!printed_all()) return fail_to_print();
+    return lost_messages() ? 1 : exit_code;
 }

@@ -1,6 +1,7 @@
 // umbra78 plan: prints what a frame needs, what the plan leaves out, why, and the cycles saved.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/io/console.hpp"
 #include "tools/render/plan_text.hpp"
 #include "tools/render/report.hpp"
 
@@ -132,8 +133,7 @@ void print_rows(const Options& options, const Planned& planned) {
 
 void run(const Options& options) {
     const Planned planned(options);
-    for (const std::string& warning : planned.scene.warnings)
-        fmt::print(stderr, "umbra78: warning: {}\n", warning);
+    for (const std::string& warning : planned.scene.warnings) print_warning(warning);
     if (options.json) {
         fmt::print("{}", print(to_json(options, planned)));
     } else {

@@ -1,6 +1,7 @@
 // umbra78 render: draws a scene file and writes its picture, its buffers, errors and costs.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/io/console.hpp"
 #include "tools/render/cycle_report.hpp"
 #include "tools/render/report.hpp"
 #include "tools/scene/settings_text.hpp"
@@ -47,12 +48,12 @@ Path picture_path(const Options& options) {
 // Writes all files or, after an error, none.
 void write_files(const Options& options, const Rendered& rendered) {
     FileSet files;
+    if (!options.buffers.empty()) files.make_folder(options.buffers);  // the picture may be there
     const Buffer picture = rendered.job.buffer(Plane::picture);
     write_png_gray(picture_path(options), picture.size_px, picture.size_px,
                    rendered.job.bytes(Plane::picture), &files);
     if (!options.buffers.empty()) {
         const Path folder = options.buffers;
-        files.make_folder(folder);
         for (const Plane plane : all_planes) {
             const Buffer buffer = rendered.job.buffer(plane);
             write_pgm(folder / (buffer.name + ".pgm"), buffer, &files);
@@ -119,9 +120,9 @@ void print_rows(const Options& options, const Rendered& rendered) {
 }
 
 void run(const Options& options) {
+    if (options.out.empty()) check_output(picture_path(options), ".png", {});
     const Rendered rendered(options);
-    for (const std::string& warning : rendered.scene.warnings)
-        fmt::print(stderr, "umbra78: warning: {}\n", warning);
+    for (const std::string& warning : rendered.scene.warnings) print_warning(warning);
     write_files(options, rendered);
     if (options.json) {
         fmt::print("{}", print(to_json(options, rendered)));
@@ -136,11 +137,11 @@ void add_render_command(CLI::App& app, int&) {
     const auto options = std::make_shared<Options>();
     Command command(app, "render", "Render a scene file");
     command.scene(options->scene);
-    command.text("--out", options->out, "FILE",
-                 "The picture; default: the scene's name with .png, in this folder");
-    command.text("--buffers", options->buffers, "DIR",
-                 "Folder for every stage's buffer, as PGM and NPY: Z of both views, intensity, "
-                 "the mask before and after each filter, the picture");
+    command.output("--out", options->out, ".png",
+                   "The picture; default: the scene's name with .png, in this folder");
+    command.output_folder("--buffers", options->buffers,
+                          "Folder for every stage's buffer, as PGM and NPY: Z of both views, "
+                          "intensity, the mask before and after each filter, the picture");
     command.set(options->set);
     command.flag("--no-truth", options->no_truth,
                  "Do not compute the exact truth and the errors against it");

@@ -3,6 +3,7 @@
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/cli/study_list.hpp"
+#include "tools/io/console.hpp"
 #include "tools/render/report.hpp"
 #include "tools/study/study_files.hpp"
 #include "tools/study/vary.hpp"
@@ -28,7 +29,7 @@ struct Options {
     std::vector<std::string> vary, parts;
     int jobs = 0;
     std::uint64_t sample = 8;
-    bool quick = false, automatic = false, no_host_times = false, json = false;
+    bool quick = false, automatic = false, no_host_times = false, replace = false, json = false;
 };
 
 // "i/n" with 1 <= i <= n. A number that an int does not hold is refused.
@@ -62,11 +63,11 @@ Asked asked_of(const Study& study, const Options& options) {
 
 void print_done(const StudyDone& done, bool json) {
     if (done.failed > 0)
-        fmt::print(stderr, "umbra78: warning: {} of {} cases failed; the first: {}\n", done.failed,
-                   done.rows, done.first_failure);
+        print_warning(fmt::format("{} of {} cases failed; the first: {}", done.failed, done.rows,
+                                  done.first_failure));
     if (done.plots_missing)
-        fmt::print(stderr, "umbra78: warning: there are no plots, for gnuplot is missing; install "
-                           "it with: sudo apt-get install gnuplot-nox\n");
+        print_warning("there are no plots, because gnuplot is missing; install it with: sudo "
+                      "apt-get install gnuplot-nox");
     if (json) {
         fmt::print("{}", tools::print(done.summary));
         return;
@@ -76,27 +77,28 @@ void print_done(const StudyDone& done, bool json) {
 }
 
 void run(const Study& study, const Options& options) {
-    RunOptions how{options.jobs, {}};
+    RunOptions how{options.jobs, {}, options.replace};
     if (!options.shard.empty()) how.shard = read_shard(options.shard);
     const Asked asked = asked_of(study, options);
-    for (const std::string& warning : asked.request.scene.warnings)
-        fmt::print(stderr, "umbra78: warning: {}\n", warning);
+    for (const std::string& warning : asked.request.scene.warnings) print_warning(warning);
     const Path folder = options.out.empty() ? Path("out") / study.name() : Path(options.out);
     print_done(run_study(asked, how, folder, !options.shard.empty()), options.json);
 }
+
+constexpr const char* replace_help = "Overwrite the folder's finished study of other inputs";
 
 void add_study(const Command& above, const Study& study) {
     const auto options = std::make_shared<Options>();
     const std::string name(study.name());
     Command command(above, name, std::string(study.meaning()));
     if (study.takes().scene) {
-        command.text("scene", options->scene, "FILE",
-                     "Scene file (TOML); without one, the paper's scene");
+        command.input("scene", options->scene, "FILE",
+                      "Scene file (TOML); without one, the paper's scene");
         command.texts("--vary", options->vary, "KEY=VALUES",
                       "key=first:last:step or key=value,value: a setting, profile, observer.KEY or "
                       "light.KEY; in place of the study's values of that key, or crossed with all");
     }
-    command.text("--out", options->out, "DIR", "Folder for the files; default: out/" + name);
+    command.output_folder("--out", options->out, "Folder for the files; default: out/" + name);
     command.flag("--quick", options->quick, "A small grid: seconds");
     command.number("--jobs", options->jobs, "N", "Cases at a time; default: as many as cores")
         .range(1, 1024);
@@ -106,6 +108,7 @@ void add_study(const Command& above, const Study& study) {
         command.flag("--auto", options->automatic, "Print the answer for the scene");
     command.flag("--no-host-times", options->no_host_times,
                  "Leave out the columns that end in _host_ms: the same files every time");
+    command.flag("--replace", options->replace, replace_help);
     command.flag("--json", options->json, "Print the summary as JSON instead of text");
     command.footer(fmt::format("{1}Example:\n  umbra78 study {0} --quick --out out/{0}", name,
                                study.takes().scene ? "" : "Its cases are its own: it takes no "
@@ -116,15 +119,17 @@ void add_study(const Command& above, const Study& study) {
 void add_merge(const Command& above) {
     const auto options = std::make_shared<Options>();
     Command command(above, "merge", "Make the files of a study from its parts");
-    command.text("out", options->out, "OUT", "Folder for the files").required();
-    command.texts("parts", options->parts, "PART", "NAME.part-1-of-3.jsonl ..., all of them")
+    command.output_folder("out", options->out, "Folder for the files").required();
+    command.inputs("parts", options->parts, "PART", "NAME.part-1-of-3.jsonl ..., all of them")
         .required();
+    command.flag("--replace", options->replace, replace_help);
     command.flag("--json", options->json, "Print the summary as JSON instead of text");
     command.footer("Example:\n"
                    "  parallel umbra78 study error-time --quick --out parts --shard {}/3 ::: 1 2 "
                    "3\n  umbra78 study merge out/error-time parts/*.jsonl");
     command.runs([options] {
-        print_done(merge_parts(options->parts, options->out, studies()), options->json);
+        print_done(merge_parts(options->parts, options->out, studies(), options->replace),
+                   options->json);
     });
 }
 
@@ -132,7 +137,7 @@ void add_verify(const Command& above, int& exit_code) {
     const auto options = std::make_shared<Options>();
     Command command(above, "verify",
                     "Render rows of a study's CSV again, and compare every figure but host times");
-    command.text("csv", options->scene, "FILE.csv", "The CSV; its NAME.json beside it").required();
+    command.input("csv", options->scene, "FILE.csv", "The CSV; its NAME.json beside it").required();
     command.number("--sample", options->sample, "N", "How many rows, by a fixed seed")
         .range(1, 1 << 20)
         .default_shown();

@@ -78,9 +78,9 @@ void add_trace_command(CLI::App& app, int&) {
         .required()
         .checked(check_pixel);
     command.set(options->set);
-    command.text("--vcd", options->vcd, "FILE",
-                 "Write the machine's signals as a value change dump, starting with the pixel's "
-                 "first cycle");
+    command.output("--vcd", options->vcd, ".vcd",
+                   "Write the machine's signals as a value change dump, starting with the pixel's "
+                   "first cycle");
     command.number("--cycles", options->cycles, "N", "Number of cycles in the --vcd file")
         .range(1, 1 << 20)
         .default_shown();

@@ -3,12 +3,17 @@
 
 #include "tools/io/files.hpp"
 
+#include <string>
 #include <string_view>
 
 namespace umbra78::tools {
 
 [[noreturn]] void fail_to_write(const Path&, std::string_view wrong, std::string_view remedy);
+[[noreturn]] void fail_to_write(const Path&, int error);  // of errno
 [[noreturn]] void fail_to_read(const Path&, std::string_view wrong);  // of a PGM
+
+// Why a file cannot be read, as the system says it: "Is a directory". "" if it can be.
+std::string why_not_read(const Path&);
 
 // Throws unless there are width * height samples of `channels` values.
 void expect_samples(const Path&, int width, int height, std::size_t samples,

@@ -1,12 +1,13 @@
 #include "tools/io/files.hpp"
 
+#include "tools/io/console.hpp"
 #include "tools/io/file_errors.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -21,48 +22,52 @@ namespace {
         fmt::format("cannot {} '{}': {}; {}", doing, path.string(), wrong, remedy));
 }
 
-[[noreturn]] void fail_with(int error, const Path& path) {
-    const char* remedy = error == ENOENT   ? "create its folder first"
-                         : error == ENOSPC ? "free some space there"
-                         : error == EISDIR ? "name a file, not a folder"
-                                           : "name a place that can be written to";
-    fail_to_write(path, std::generic_category().message(error), remedy);
-}
-
-Path partial_name(const Path& path) {
-    return path.string() + fmt::format(".partial-{}", getpid());
-}
-
-// An open file that is removed unless it is kept.
-struct Partial {
-    Path path;
-    std::FILE* file;
-    bool kept = false;
-
-    ~Partial() {
-        if (file) std::fclose(file);
-        if (!kept) std::remove(path.c_str());
+// The open descriptor of a file.
+struct Opened {
+    int number;
+    ~Opened() {
+        if (number >= 0) ::close(number);
     }
 };
 
-void write_partial(const Path& path, std::span<const std::byte> content) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) fail_with(EISDIR, path);
-    const Path name = partial_name(path);
-    std::FILE* file = std::fopen(name.c_str(), "wb");
-    if (!file) fail_with(errno, path);
-    Partial partial{name, file};
-    const bool written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
-    if (!written || std::fflush(file) != 0) fail_with(errno, path);
-    if (std::fclose(std::exchange(partial.file, nullptr)) != 0) fail_with(errno, path);
-    partial.kept = true;
+void write_all(int file, const Destination& to, std::span<const std::byte> content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(file, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail_to_write(to.named, errno);
+        content = content.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+// A file that replaces another has its mode and, where that is allowed, its owner.
+void write_partial(const PartialFile& partial, const Destination& to,
+                   std::span<const std::byte> content) {
+    ::unlink(partial.name());  // of a process that was killed and had the same number
+    Opened file{::open(partial.name(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                       to.now ? 0600 : 0666)};
+    if (file.number < 0) fail_to_write(to.named, errno);
+    if (to.now) {
+        const bool owned = ::fchown(file.number, to.now->st_uid, to.now->st_gid) == 0;
+        const mode_t kept = owned ? 07777 : 0777;  // no set-user-ID for another owner
+        if (::fchmod(file.number, to.now->st_mode & kept) != 0) fail_to_write(to.named, errno);
+    }
+    write_all(file.number, to, content);
+    if (::close(std::exchange(file.number, -1)) != 0) fail_to_write(to.named, errno);
+}
+
+void write_in_place(const Destination& to, std::span<const std::byte> content) {
+    if (to.kind == Destination::Kind::standard_output)
+        return write_all(standard_output(), to, content);
+    const Opened file{::open(to.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC)};
+    if (file.number < 0) fail_to_write(to.named, errno);
+    write_all(file.number, to, content);
 }
 
 }  // namespace
 
 FileSet::~FileSet() {
+    written_.clear();  // removes the partial files, so that the folders are empty
     std::error_code ignored;
-    for (const Path& path : written_) std::remove(partial_name(path).c_str());
     for (const Path& path : folders_) std::filesystem::remove(path, ignored);  // if empty
 }
 
@@ -80,13 +85,25 @@ void FileSet::make_folder(const Path& path) {
 }
 
 void FileSet::write(const Path& path, std::span<const std::byte> content) {
-    write_partial(path, content);
-    written_.push_back(path);
+    Destination to = destination_of(path);
+    if (to.kind != Destination::Kind::file) {
+        kept_.push_back({std::move(to), {content.begin(), content.end()}});
+        return;
+    }
+    for (const Written& w : written_)
+        if (w.to.path == to.path)
+            fail_to_write(path, "another output of this command has this name", "name another");
+    PartialFile partial(to.path);
+    write_partial(partial, to, content);
+    written_.push_back({std::move(to), std::move(partial)});
 }
 
+// What cannot be taken back comes first: if it fails, no file appears.
 void FileSet::commit() {
-    for (const Path& path : written_)
-        if (std::rename(partial_name(path).c_str(), path.c_str()) != 0) fail_with(errno, path);
+    for (const Kept& k : kept_) write_in_place(k.to, k.content);
+    kept_.clear();
+    for (Written& w : written_)
+        if (!w.partial.rename_to(w.to.path)) fail_to_write(w.to.named, errno);
     written_.clear();
     folders_.clear();
 }
@@ -101,8 +118,26 @@ void fail_to_write(const Path& path, std::string_view wrong, std::string_view re
     fail("write", path, wrong, remedy);
 }
 
+void fail_to_write(const Path& path, int error) {
+    const char* remedy = error == ENOENT ? "create its folder first"
+                         : error == ENOSPC || error == EDQUOT ? "free some space there"
+                         : error == EFBIG  ? "raise the limit of a file's size (ulimit -f)"
+                         : error == ENAMETOOLONG ? "give it a shorter name"
+                         : error == EISDIR ? "name a file, not a folder"
+                                           : "name a place that can be written to";
+    fail_to_write(path, std::generic_category().message(error), remedy);
+}
+
 void fail_to_read(const Path& path, std::string_view wrong) {
     fail("read", path, wrong, "give a binary PGM (P5) of 8 or 16 bits");
+}
+
+std::string why_not_read(const Path& path) {
+    const Opened file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    struct stat its {};
+    if (file.number < 0 || ::fstat(file.number, &its) != 0)
+        return std::generic_category().message(errno);
+    return S_ISDIR(its.st_mode) ? std::generic_category().message(EISDIR) : "";
 }
 
 void expect_samples(const Path& path, int width, int height, std::size_t samples,

@@ -3,20 +3,21 @@
 // A file is written under `path.partial-<pid>` in the same folder, flushed, then renamed over
 // `path`: a reader sees the old file or the new one, and a failure leaves nothing behind. Files
 // that belong together are written into a FileSet, and appear together when it is committed.
-// Every error is a std::runtime_error of one line that names the file, what is wrong and what to
-// do. Pictures are rows from the top, width * height samples. Not emulated: any colour space.
+// tools/io/destination.hpp says what may be written to, and what is written in place. Every error
+// is a std::runtime_error of one line that names the file, what is wrong and what to do. Pictures
+// are rows from the top, width * height samples. Not emulated: any colour space.
 #pragma once
+
+#include "tools/io/destination.hpp"
+#include "tools/io/partial_file.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace umbra78::tools {
-
-using Path = std::filesystem::path;
 
 // Files that appear all together, or not at all if it is destroyed before.
 class FileSet {
@@ -28,11 +29,23 @@ public:
 
     // Makes the folder and those above it where they are missing.
     void make_folder(const Path&);
-    void write(const Path&, std::span<const std::byte> content);  // under its partial name
+    // Under its partial name; what is written in place is kept until the commit. A file that the
+    // set holds already is an error.
+    void write(const Path&, std::span<const std::byte> content);
     void commit();
 
 private:
-    std::vector<Path> folders_, written_;
+    struct Written {
+        Destination to;
+        PartialFile partial;
+    };
+    struct Kept {
+        Destination to;
+        std::vector<std::byte> content;
+    };
+    std::vector<Path> folders_;
+    std::vector<Written> written_;
+    std::vector<Kept> kept_;
 };
 
 // Every writer below puts its file into `set`, or where there is none, in its place at once.

@@ -1,5 +1,6 @@
 #include "tools/study/csv.hpp"
 
+#include "tools/io/file_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -78,10 +79,12 @@ std::optional<std::string> Csv::at(std::size_t row, std::string_view column) con
 }
 
 Csv read_csv(const Path& path) {
+    if (const std::string why = why_not_read(path); !why.empty())
+        throw std::runtime_error(fmt::format("cannot read '{}': {}; give a CSV that umbra78 study "
+                                             "wrote", path.string(), why));
     std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path))
-        throw std::runtime_error(fmt::format("cannot read '{}'; give a CSV that umbra78 study "
-                                             "wrote", path.string()));
+    for (const char mark : {'\xEF', '\xBB', '\xBF'})  // UTF-8's, as spreadsheets write it
+        if (file.peek() == static_cast<unsigned char>(mark)) file.get();
     Csv csv;
     int line = 1;
     if (auto head = next_record(file, path, line)) csv.columns = std::move(*head);

@@ -1,6 +1,7 @@
 // A study's CSV: a line of column names, then a row a case (RFC 4180; lines end in a newline).
 //
-// Lines that end in a carriage return and a newline, as Python's csv writes them, are read, too.
+// Lines that end in a carriage return and a newline, as Python's csv writes them, are read, too,
+// and so is a byte order mark before the first name.
 #pragma once
 
 #include "tools/io/files.hpp"

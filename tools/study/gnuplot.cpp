@@ -1,17 +1,17 @@
 #include "tools/study/gnuplot.hpp"
 
-#include "tools/io/files.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <system_error>
 
 namespace umbra78::tools::study {
 namespace {
@@ -97,6 +97,32 @@ std::string output_of(const std::string& command, int& status) {
     return output;
 }
 
+// A temporary file without a name, which the commands that are started inherit. Nothing of it is
+// left, however the program ends.
+class Script {
+public:
+    explicit Script(const std::string& text) : file_(std::tmpfile()) {
+        if (file_ == nullptr || std::fwrite(text.data(), 1, text.size(), file_) != text.size() ||
+            std::fflush(file_) != 0)
+            throw std::runtime_error(fmt::format(
+                "cannot write a temporary file: {}; make room in /tmp",
+                std::generic_category().message(errno)));
+    }
+    ~Script() {
+        if (file_ != nullptr) std::fclose(file_);
+    }
+    Script(const Script&) = delete;
+    Script& operator=(const Script&) = delete;
+
+    std::string run(const char* redirected, int& status) const {
+        std::rewind(file_);
+        return output_of(fmt::format("gnuplot <&{} {}", fileno(file_), redirected), status);
+    }
+
+private:
+    std::FILE* file_;
+};
+
 }  // namespace
 
 std::string script_of(const Plot& plot) {
@@ -150,19 +176,14 @@ bool has_gnuplot() {
 }
 
 std::string draw(const std::string& name, const std::string& script, PlotFormat format) {
-    const Path file = std::filesystem::temp_directory_path() /
-                      fmt::format("umbra78-plot-{}.gnuplot", getpid());
-    const std::string text =
+    const Script text(
         (format == PlotFormat::svg
              ? "set terminal svg size 960,640 background 'white' font 'sans-serif,13'\n"
-             : "set terminal pngcairo size 960,640 background 'white' font 'sans,11'\n") + script;
-    write_file(file, std::as_bytes(std::span(text)));
+             : "set terminal pngcairo size 960,640 background 'white' font 'sans,11'\n") + script);
     int status = 0;
-    const std::string command = "gnuplot '" + file.string() + "'";
-    std::string picture = output_of(command + " 2>/dev/null", status);
+    std::string picture = text.run("2>/dev/null", status);
     std::string complaint;
-    if (status != 0 || picture.empty()) complaint = output_of(command + " 2>&1 >/dev/null", status);
-    std::filesystem::remove(file);
+    if (status != 0 || picture.empty()) complaint = text.run("2>&1 >/dev/null", status);
     if (picture.empty() || status != 0)
         throw std::runtime_error(fmt::format("gnuplot cannot draw the plot '{}': {}; install the "
                                              "package gnuplot-nox of gnuplot 5.2 or later", name,

@@ -1,9 +1,12 @@
 #include "tools/study/row_log.hpp"
 
+#include "tools/io/file_errors.hpp"
 #include "tools/io/text_formats.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -43,14 +46,15 @@ void read_row(const Path& path, RowLog& log, const std::string& line, int number
     log.rows.insert_or_assign(index, row_of(json.at("row")));
 }
 
-}  // namespace
-
+// So that what is appended begins a line.
 void cut_torn_line(const Path& path) {
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const std::size_t whole = text.rfind('\n') + 1;  // 0 where there is none
     if (whole != text.size()) std::filesystem::resize_file(path, whole);
 }
+
+}  // namespace
 
 std::string head_line(const Asked& asked, Shard shard) {
     return print_line({{"study", asked.study->name()},
@@ -65,8 +69,8 @@ std::string row_line(std::size_t index, const Row& row) {
 }
 
 RowLog read_row_log(const Path& path) {
+    if (const std::string why = why_not_read(path); !why.empty()) fail_to_read(path, why);
     std::ifstream file(path, std::ios::binary);
-    if (!file) fail_to_read(path, "it cannot be read");
     RowLog log;
     std::string line;
     for (int number = 1; std::getline(file, line); ++number) {
@@ -82,12 +86,29 @@ RowLog read_row_log(const Path& path) {
 }
 
 RowAppender::RowAppender(const Path& path, const Asked& asked, Shard shard) : path_(path) {
-    file_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0)
-        throw std::runtime_error(fmt::format(
-            "cannot write '{}': {}; name a place that can be written to with --out",
-            path.string(), std::generic_category().message(errno)));
+    destination_of(path);  // for its errors
+    do {  // a program that ends removes its log, perhaps between these two calls
+        if (file_ >= 0) ::close(file_);
+        file_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+        if (file_ < 0)
+            throw std::runtime_error(fmt::format(
+                "cannot write '{}': {}; name a place that can be written to with --out",
+                path.string(), std::generic_category().message(errno)));
+        if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            ::close(file_);
+            throw std::runtime_error(fmt::format(
+                "{}: another umbra78 is writing to it; wait until it ends, or give another folder "
+                "with --out", path.string()));
+        }
+    } while (!is_still_there());
+    cut_torn_line(path);
     if (std::filesystem::file_size(path) == 0) write(head_line(asked, shard));
+}
+
+bool RowAppender::is_still_there() const {
+    struct stat there {}, opened {};
+    return ::stat(path_.c_str(), &there) == 0 && ::fstat(file_, &opened) == 0 &&
+           there.st_dev == opened.st_dev && there.st_ino == opened.st_ino;
 }
 
 RowAppender::~RowAppender() { ::close(file_); }

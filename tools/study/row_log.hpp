@@ -35,10 +35,9 @@ struct RowLog {
 std::string head_line(const Asked&, Shard);
 std::string row_line(std::size_t index, const Row&);
 RowLog read_row_log(const Path&);  // throws std::runtime_error
-// Removes a last line that a kill has torn, so that what is appended begins a line.
-void cut_torn_line(const Path&);
 
-// Appends rows to a log, and begins the log if there is none. Throws std::runtime_error.
+// Appends rows to a log, and begins the log if there is none. A last line that a kill has torn is
+// removed. No other program may append to the log meanwhile. Throws std::runtime_error.
 class RowAppender {
 public:
     RowAppender(const Path&, const Asked&, Shard);
@@ -49,6 +48,7 @@ public:
 
 private:
     void write(const std::string& line);
+    bool is_still_there() const;
     Path path_;
     int file_ = -1;
 };

@@ -1,5 +1,6 @@
 #include "tools/study/runner.hpp"
 
+#include "tools/io/console.hpp"
 #include "tools/io/interruptible.hpp"
 #include "tools/scene/settings_text.hpp"
 
@@ -46,7 +47,7 @@ class Progress {
 public:
     explicit Progress(std::size_t cases) : cases_(cases), terminal_(isatty(STDERR_FILENO) != 0) {}
     ~Progress() {
-        if (terminal_) fmt::print(stderr, "\r\033[K");
+        if (terminal_) print_progress("\r\033[K");
     }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -60,11 +61,7 @@ public:
                               static_cast<double>(cases_ - finished);
         const std::string text = fmt::format("case {} of {}, {:.0f} s left", finished, cases_,
                                              left_s);
-        if (terminal_) {
-            fmt::print(stderr, "\r\033[K{}", text);
-        } else {
-            fmt::print(stderr, "umbra78: {}\n", text);
-        }
+        print_progress(terminal_ ? "\r\033[K" + text : "umbra78: " + text + "\n");
     }
 
 private:
@@ -114,12 +111,8 @@ private:
     std::exception_ptr error_;
 };
 
-// The rows of an earlier run of the same command.
+// The rows of an earlier run of the same command. The log has its head.
 std::map<std::size_t, Row> rows_there(const Asked& asked, Shard shard, const Path& log) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(log, ignored)) return {};
-    cut_torn_line(log);
-    if (std::filesystem::file_size(log) == 0) return {};
     RowLog there = read_row_log(log);
     if (there.hash != asked.hash || there.shard != shard)
         throw std::runtime_error(fmt::format(
@@ -153,6 +146,8 @@ Row run_case(const Asked& asked, std::size_t index, const Case& c) {
 
 std::map<std::size_t, Row> run_cases(const Asked& asked, const RunOptions& options,
                                      const Path& log) {
+    const Interruptible interruptible;
+    RowAppender appender(log, asked, options.shard);
     std::map<std::size_t, Row> rows = rows_there(asked, options.shard, log);
     std::vector<std::size_t> left;
     std::size_t all = 0;
@@ -161,8 +156,6 @@ std::map<std::size_t, Row> run_cases(const Asked& asked, const RunOptions& optio
         ++all;
         if (!rows.contains(k)) left.push_back(k);
     }
-    const Interruptible interruptible;
-    RowAppender appender(log, asked, options.shard);
     {
         const auto cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
         const int wanted = options.jobs > 0 ? options.jobs : cores;

@@ -14,6 +14,7 @@ namespace umbra78::tools::study {
 struct RunOptions {
     int jobs = 0;  // cases at a time; 0: as many as there are cores
     Shard shard;
+    bool replace = false;  // the finished files of other inputs in the folder
 };
 
 // The whole row of a case: its number and name, its overrides, every setting, "status", figures.

@@ -1,5 +1,6 @@
 #include "tools/study/study_files.hpp"
 
+#include "tools/io/text_formats.hpp"
 #include "tools/render/report.hpp"
 #include "tools/study/column_meanings.hpp"
 #include "tools/study/csv.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <thread>
 
@@ -120,6 +122,31 @@ StudyDone write_files(const Asked& asked, const std::map<std::size_t, Row>& by_c
     return done;
 }
 
+// The inputs that the first line of a part, or a whole summary, was made from. "" if it is neither.
+std::string hash_in(const Path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text;
+    if (path.extension() == ".jsonl") {
+        std::getline(file, text);
+    } else {
+        text.assign(std::istreambuf_iterator<char>(file), {});
+    }
+    try {
+        return parse_json(text).at("inputs_hash");
+    } catch (const nlohmann::json::exception&) {
+        return "";
+    }
+}
+
+// A finished study may have taken days.
+void keep_other_inputs(const Path& file, const Asked& asked, bool replace) {
+    std::error_code none;
+    if (replace || !std::filesystem::exists(file, none) || hash_in(file) == asked.hash) return;
+    throw std::runtime_error(fmt::format(
+        "{}: it is of other inputs (scene, settings, grid or version) and would be overwritten; "
+        "give another folder with --out, or --replace it", file.string()));
+}
+
 StudyDone write_part(const Asked& asked, const std::map<std::size_t, Row>& rows, Shard shard,
                      const Path& path) {
     std::string text = head_line(asked, shard);
@@ -137,12 +164,13 @@ StudyDone write_part(const Asked& asked, const std::map<std::size_t, Row>& rows,
 
 StudyDone run_study(const Asked& asked, const RunOptions& options, const Path& folder,
                     bool as_part) {
-    FileSet made;
-    made.make_folder(folder);
-    made.commit();  // the rows to come are kept there, whatever happens
     const Shard shard = options.shard;
     std::string name(asked.study->name());
     if (as_part) name += fmt::format(".part-{}-of-{}", shard.i, shard.n);
+    keep_other_inputs(folder / (name + (as_part ? ".jsonl" : ".json")), asked, options.replace);
+    FileSet made;
+    made.make_folder(folder);
+    made.commit();  // the rows to come are kept there, whatever happens
     const Path log = folder / (name + ".partial.jsonl");
     const std::map<std::size_t, Row> rows = run_cases(asked, options, log);
     StudyDone done = as_part ? write_part(asked, rows, shard, folder / (name + ".jsonl"))
@@ -151,7 +179,8 @@ StudyDone run_study(const Asked& asked, const RunOptions& options, const Path& f
     return done;
 }
 
-StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, Studies known) {
+StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, Studies known,
+                      bool replace) {
     std::optional<RowLog> all;
     std::map<int, std::string> seen;  // by the shard's number
     for (const std::string& path : parts) {
@@ -180,6 +209,7 @@ StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, St
     if (asked.hash != all->hash)
         throw std::runtime_error(fmt::format("{}: another version of umbra78 wrote it; run the "
                                              "study again with this one", seen.begin()->second));
+    keep_other_inputs(folder / fmt::format("{}.json", asked.study->name()), asked, replace);
     for (std::size_t k = 0; k < asked.cases.size(); ++k)
         if (!all->rows.contains(k)) {
             const int i = static_cast<int>(k) % all->shard.n + 1;

@@ -17,11 +17,13 @@ struct StudyDone {
     bool plots_missing = false;           // there is no gnuplot
 };
 
-// `as_part`: write a shard's file, even if the shard is the only one. Throws std::runtime_error.
+// `as_part`: write a shard's file, even if the shard is the only one. Throws std::runtime_error,
+// for instance if the folder holds this study of other inputs and that is not to be replaced.
 StudyDone run_study(const Asked&, const RunOptions&, const Path& folder, bool as_part);
 
 // Makes the files of a study from the parts of a sharded run. Throws std::runtime_error if a part
 // is missing, given twice, unfinished, or of other inputs.
-StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, Studies);
+StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, Studies,
+                      bool replace = false);
 
 }  // namespace umbra78::tools::study

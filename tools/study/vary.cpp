@@ -33,7 +33,8 @@ std::vector<std::string> cut(std::string_view text, char mark) {
 
 GridKey parse_vary(const std::string& text) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) fail(text, "there is no key");
+    if (equals == std::string::npos) fail(text, "there is no '='");
+    if (equals == 0) fail(text, "there is no key");
     const std::string key = text.substr(0, equals), rest = text.substr(equals + 1);
     if (cut(rest, ':').size() > 1) {
         DecimalRange range = read_decimal_range(rest);

@@ -1,5 +1,6 @@
 #include "tools/study/verify.hpp"
 
+#include "tools/io/file_errors.hpp"
 #include "tools/io/text_formats.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/runner.hpp"
@@ -19,10 +20,10 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json read_summary(const Path& path) {
+    if (const std::string why = why_not_read(path); !why.empty())
+        throw std::runtime_error(fmt::format("cannot read '{}', which holds the scene: {}; keep it "
+                                             "beside the CSV", path.string(), why));
     std::ifstream file(path, std::ios::binary);
-    if (!file)
-        throw std::runtime_error(fmt::format("cannot read '{}', which holds the scene; keep it "
-                                             "beside the CSV", path.string()));
     try {
         ordered_json json = parse_json(std::string(std::istreambuf_iterator<char>(file), {}));
         json.at("case_columns").at("extra");

@@ -111,6 +111,25 @@ TEST_F(Animate, DrawsOnlyWhatIsNotThere) {
     EXPECT_EQ(contents("a"), whole);
 }
 
+TEST_F(Animate, SaysWhatAnotherSequenceLeft) {
+    const std::string to_a = " --frames 5 --light 0:9 --out a", scene = figures_scene;
+    animate(scene + to_a);
+    write("a/frame_0009.txt", "");
+    write("a/frame_x.png", "");
+    const Ran ran = run("animate --set xy_bits=6 " + scene + " --frames 3 --light 0:9 --out a");
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.err, "umbra78: warning: a also holds 2 frames of another sequence "
+                       "(frame_0004.png to frame_0005.png); remove them, or name another folder "
+                       "with --out\n");
+    EXPECT_EQ(contents("a").count("/frame_0005.png"), 1u);  // it removes nothing itself
+    const Ran four = run("animate --json --set xy_bits=6 " + scene + " --frames 4 --light 0:9 "
+                         "--out a");
+    EXPECT_EQ(parse_json(four.out)["warnings"].size(), 1u);
+    EXPECT_NE(four.err.find("a also holds a frame of another sequence (frame_0005.png);"),
+              std::string::npos) << four.err;
+    animate(scene + to_a);  // which holds no warning
+}
+
 TEST_F(Animate, AChangedInputIsDrawnAgain) {
     const std::string text = content(figures_scene);
     write("s.toml", text);

@@ -82,6 +82,8 @@ TEST_F(Profiles, AllAndOneAgreeOnWhatSetSays) {
         one["ledger"]["transformation"]["cycles"].get<double>() * 300e-6;
     EXPECT_EQ(all[0]["profile"], "affine16");
     EXPECT_NEAR(all[0]["transformation_ms"].get<double>(), ms, 1e-9);
+    EXPECT_EQ(run("cycles plain.toml --profile afine16").err,
+              "umbra78: --profile afine16: there is no such profile; did you mean 'affine16'?\n");
     for (const char* how : {"--all", "--profile affine16"}) {
         const Ran twice = run(std::string("cycles plain.toml --set profile=ap120b ") + how);
         EXPECT_EQ(twice.exit_code, 1);

@@ -43,7 +43,30 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
         {"render a.toml --jsn", "unknown argument '--jsn'; did you mean '--json'?; see umbra78 "
                                 "render --help"},
         {"bands --bias many",
-         "--bias: Value many not in range 0 to 65536; see umbra78 bands --help"},
+         "--bias: 'many' is not a whole number, written in decimal digits without leading zeros; "
+         "see umbra78 bands --help"},
+        {"bands --bias 65537",
+         "--bias: Value 65537 not in range 0 to 65536; see umbra78 bands --help"},
+        // Not eight, not 16, not 2^32 + 1 in 32 bits.
+        {"bands --bias 010", "--bias: '010' is not a whole number, written in decimal digits "
+                             "without leading zeros; see umbra78 bands --help"},
+        {"bands --bias 0x10", "--bias: '0x10' is not a whole number, written in decimal digits "
+                              "without leading zeros; see umbra78 bands --help"},
+        {"animate a.toml --frames 4294967297",
+         "--frames: '4294967297' is not a whole number up to 2147483647; see umbra78 animate "
+         "--help"},
+        {"trace a.toml --pixel 1,2 --cycles 18446744073709551617",
+         "--cycles: '18446744073709551617' is not a whole number up to 18446744073709551615; see "
+         "umbra78 trace --help"},
+        {"study verify a.csv --sample -1",
+         "--sample: '-1' is not a whole number, written in decimal digits without leading zeros; "
+         "see umbra78 study verify --help"},
+        {"study error-time --jobs 1e3", "--jobs: '1e3' is not a whole number, written in decimal "
+                                        "digits without leading zeros; see umbra78 study "
+                                        "error-time --help"},
+        {"trace a.toml --pixel 4294967297,0",
+         "--pixel: '4294967297,0' is not a pixel; write x,y as in 80,180; see umbra78 trace "
+         "--help"},
         {"trace a.toml", "--pixel is required; see umbra78 trace --help"},
         {"trace a.toml --pixel 1:2", "--pixel: '1:2' is not a pixel; write x,y as in 80,180; see "
                                      "umbra78 trace --help"},

@@ -6,9 +6,11 @@
 #include "tools/io/sheet.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -173,12 +175,56 @@ TEST_F(Files, AFailureNamesTheFileAndLeavesTheOldOne) {
 }
 
 TEST_F(Files, AFullDiskLeavesNothingBehind) {
-    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-    const Path path = folder / "a.bin";
-    fs::create_symlink("/dev/full", path.string() + ".partial-" + std::to_string(getpid()));
-    const std::string error = error_of([&] { write_file(path, std::vector<std::byte>(9)); });
-    EXPECT_NE(error.find("free some space"), std::string::npos) << error;
+    const auto signal_before = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{8, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string error =
+        error_of([&] { write_file(folder / "a.bin", std::vector<std::byte>(9)); });
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, signal_before);
+    EXPECT_NE(error.find("a.bin': File too large; raise the limit"), std::string::npos) << error;
     EXPECT_EQ(files(), 0);
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    EXPECT_EQ(error_of([&] { write_file("/dev/full", std::vector<std::byte>(9)); }),
+              "cannot write '/dev/full': No space left on device; free some space there");
+}
+
+// What cannot be taken back is written first: if that fails, no file of the set appears.
+TEST_F(Files, ASetAppearsTogether) {
+    const std::vector<std::byte> nine(9);
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    {
+        FileSet set;
+        set.make_folder(folder / "b");
+        set.write(folder / "b" / "a", nine);
+        set.write("/dev/full", nine);
+        EXPECT_NE(error_of([&] { set.commit(); }), "");
+    }
+    EXPECT_EQ(files(), 0);
+    FileSet set;
+    set.write(folder / "a", nine);
+    EXPECT_NE(error_of([&] { set.write(folder / "." / "a", nine); }).find("another output"),
+              std::string::npos);
+    set.commit();
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(Files, AFileIsReplacedWithItsModeAndItsLinks) {
+    const Path path = holding("a", "old");
+    fs::permissions(path, fs::perms(0600));
+    fs::create_symlink("a", folder / "b");
+    fs::create_symlink("b", folder / "c");
+    write_file(folder / "c", std::vector<std::byte>(9));
+    EXPECT_EQ(content("a"), std::string(9, '\0'));
+    EXPECT_EQ(fs::status(path).permissions(), fs::perms(0600));
+    EXPECT_TRUE(fs::is_symlink(folder / "b") && fs::is_symlink(folder / "c"));
+    fs::create_symlink("e", folder / "d");
+    fs::create_symlink("d", folder / "e");
+    EXPECT_NE(error_of([&] { write_file(folder / "e", {}); }).find("levels of symbolic links"),
+              std::string::npos);
+    EXPECT_EQ(files(), 5);
 }
 
 TEST(Sheet, PlacesEveryPictureUnchanged) {

@@ -127,7 +127,7 @@ TEST(Report, FiguresAreRoundedToWhatIsKnown) {
 TEST(Csv, LinesOfOtherProgramsAreRead) {
     const Path path = std::filesystem::temp_directory_path() /
                       fmt::format("umbra78-csv-{}.csv", getpid());
-    const std::string text = "a,b\r\n1,\"x\r\ny\"\r\n,2\r\n";
+    const std::string text = "\xEF\xBB\xBF" "a,b\r\n1,\"x\r\ny\"\r\n,2\r\n";
     write_file(path, std::as_bytes(std::span(text)));
     const Csv csv = read_csv(path);
     std::filesystem::remove(path);

@@ -119,8 +119,8 @@ TEST_F(Study, WithoutGnuplotThereIsTheRest) {
     fs::create_directory(folder / "empty");
     const Ran ran = run("study >/dev/null; PATH=empty " UMBRA78_PROGRAM " " + small + "--out a");
     EXPECT_EQ(ran.exit_code, 0);
-    EXPECT_EQ(ran.err, "umbra78: warning: there are no plots, for gnuplot is missing; install it "
-                       "with: sudo apt-get install gnuplot-nox\n");
+    EXPECT_EQ(ran.err, "umbra78: warning: there are no plots, because gnuplot is missing; install "
+                       "it with: sudo apt-get install gnuplot-nox\n");
     EXPECT_TRUE(contents("a").contains("error-time.csv"));
     EXPECT_TRUE(contents("a").contains("front-machine-overall.gnuplot"));
     EXPECT_FALSE(contents("a").contains("front-machine-overall.svg"));
@@ -221,6 +221,59 @@ TEST_F(Study, VerifyFindsAPlantedFigure) {
     EXPECT_EQ(std::count(wrong.out.begin(), wrong.out.end(), '\n'), 1) << wrong.out;
 }
 
+// As Python's csv and a spreadsheet write it.
+TEST_F(Study, VerifyReadsTheCsvOfOtherPrograms) {
+    run_well(small + "--out a");
+    std::string other = "\xEF\xBB\xBF";
+    for (const char letter : content(folder / "a/error-time.csv"))
+        other += letter == '\n' ? "\r\n" : std::string(1, letter);
+    write("a/error-time.csv", other);
+    const Ran ran = run("study verify a/error-time.csv --sample 4");
+    EXPECT_EQ(ran.exit_code, 0) << ran.out;
+    EXPECT_EQ(ran.out, "a/error-time.csv: 4 of 16 rows rendered again, no difference; --sample 16 "
+                       "for all\n");
+}
+
+TEST_F(Study, AFinishedOneOfOtherInputsIsNotOverwritten) {
+    run_well(small + "--out a");
+    for (const char* i : {"1", "2"}) run_well(small + "--out p --shard " + i + "/2");
+    const auto before = contents("a"), parts = contents("p");
+    run_well(small + "--out a");  // the same again
+    EXPECT_EQ(contents("a"), before);
+    const std::string other = small + "--vary dither=none ";
+    const auto expect_refused = [&](const std::string& arguments, const std::string& file) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.exit_code, 1) << arguments;
+        EXPECT_EQ(ran.err, "umbra78: " + file + ": it is of other inputs (scene, settings, grid or "
+                           "version) and would be overwritten; give another folder with --out, or "
+                           "--replace it\n");
+    };
+    expect_refused(other + "--out a", "a/error-time.json");
+    expect_refused(other + "--out p --shard 2/2", "p/error-time.part-2-of-2.jsonl");
+    EXPECT_EQ(contents("a"), before);
+    EXPECT_EQ(contents("p"), parts);
+    run_well(other + "--out b");
+    const std::string merge = "study merge b p/error-time.part-1-of-2.jsonl "
+                              "p/error-time.part-2-of-2.jsonl ";
+    expect_refused(merge, "b/error-time.json");
+    run_well(merge + "--replace");
+    EXPECT_EQ(contents("b").at("error-time.csv"), before.at("error-time.csv"));
+    run_well(other + "--out a --replace");
+    EXPECT_NE(contents("a").at("error-time.csv"), before.at("error-time.csv"));
+}
+
+TEST_F(Study, TwoDoNotRunInOneFolder) {
+    fs::create_directory(folder / "a");
+    write("a/error-time.partial.jsonl", "");
+    const Ran ran = run("--version >/dev/null; flock a/error-time.partial.jsonl " UMBRA78_PROGRAM
+                        " " + small + "--out a");
+    if (ran.exit_code == 127) GTEST_SKIP() << "no flock here; install the package util-linux";
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_EQ(ran.err, "umbra78: a/error-time.partial.jsonl: another umbra78 is writing to it; "
+                       "wait until it ends, or give another folder with --out\n");
+    run_well(small + "--out a");
+}
+
 // Every study, small, from its cases to its page; and some of its rows once more.
 TEST_F(Study, EachQuickRunEndsInItsPageAndIsVerified) {
     if (umbra78::test::sanitized) GTEST_SKIP() << "minutes; their parts are tested alone";
@@ -272,9 +325,19 @@ TEST_F(Study, ErrorsAreOneLine) {
                                           "in 1/3, 2/3, 3/3, n up to 2147483647", 1},
         {"study precision --vary z_bits=12",
          "unknown argument '--vary'; known here: --help, --out, --quick, --jobs, --shard, "
-         "--no-host-times, --json; see umbra78 study precision --help", 2},
+         "--no-host-times, --replace, --json; see umbra78 study precision --help", 2},
         {"study verify none.csv",
-         "cannot read 'none.csv'; give a CSV that umbra78 study wrote", 1},
+         "cannot read 'none.csv': No such file or directory; give a CSV that umbra78 study wrote",
+         1},
+        {"study verify .", "cannot read '.': Is a directory; give a CSV that umbra78 study wrote",
+         1},
+        {"study merge a .", ".: Is a directory; give a file that umbra78 study wrote, or run that "
+                            "part again", 1},
+        {"study merge a none.jsonl", "none.jsonl: No such file or directory; give a file that "
+                                     "umbra78 study wrote, or run that part again", 1},
+        {"study error-time --vary bias", "--vary bias: there is no '='; write key=first:last:step "
+                                         "as in bias=0:256:32, or key=value,value as in "
+                                         "lookup=nearest,bilinear", 1},
     };
     for (const auto& [arguments, message, exit_code] : cases) {
         const Ran ran = run(arguments);
