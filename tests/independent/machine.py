@@ -1,100 +1,96 @@
 #!/usr/bin/env python3
-"""A second, independent implementation of the machine, for the figures only.
+"""A second, independent implementation of the machine.
 
-It was written from MACHINE.md alone, by someone who had not seen the project's code (except for
-section 18, whose author had), to find out whether that document suffices.  It draws the observer's
-and the light's view of section 15's scene, computes the buffers of the figures and compares their
-hashes with those MACHINE.md lists.
-Only what the figures use is here: orthographic views, the machine of 1978, the default settings.
-Its sections are the document's, beside which it should be read: words.py, drawing.py, shadows.py,
-ap120b.py, and the figures here.  It takes about half a minute.
+It was written from hw/MACHINE.md and the files of hw/machine alone, by someone who had not seen
+the project's code (except for section 18 and the later variants, whose author had), to find out
+whether that text suffices.  It computes the buffers of the figures and of the variants and compares
+their hashes with those that section 15 lists, then the vectors of vectors/.
+Its modules are the document's sections, beside which they should be read: stages/.
 
-    python3 machine.py [--buffers DIR] [--machine PATH]
+    python3 machine.py [--machine PATH] [--all] [--only NAME]... [--jobs N] [--buffers DIR]
 
-prints the name and hash of each buffer and exits with 1 if one differs.
+prints the name and hash of each buffer and exits with 1 if one differs.  Without --all the variants
+of more than 128 x 128 pixels are left out, and it takes about half a minute.
 """
 import argparse
+import multiprocessing
 import pathlib
 import re
 import sys
 
-from words import (BACKGROUND, View, half_up, object_words, observer_to_light, published_hash,
-                   sphere, to_bytes)
-from drawing import Shading, draw
-from shadows import bilinear, composite, dequantize, dither_words, low_pass, nearest, shadow_mask
-from ap120b import array_bilinear, array_mask, array_nearest
+from stages.figures import Frame, figure_frames, variants
+from stages.notation import published_hash, to_bytes
+from stages.settings import HW, document, table
 
-# -- 15. The figures ------------------------------------------------------------------------------
-
-SPHERES = ((-68813, 39322, 0), (62259, 77332, 19661), (-49152, -73400, 13107),
-           (68813, -27525, 29491))
+SMALL = 128 * 128
 
 
-def scene():
-    return object_words([patch for centre in SPHERES for patch in sphere(centre, 47186)])
+def figures(_):
+    return [("", name, *hashed(frame, buffer)) for name, frame, buffer in figure_frames()]
 
 
-def figures():
-    """(name, bytes a value, values) of each buffer"""
-    patches, f = scene()
-    observer, light = (View(azimuth, 0, (0, 0, 0), 131072, -131072, 131072)
-                       for azimuth in (0, -100))
-    observer_z, intensity = draw(patches, f, observer, Shading(observer, light, 90, 215, 90, 5))
-    yield "intensity", 1, intensity
-    yield "observer_z", 2, observer_z
-    light_z, _ = draw(patches, f, light)
-    yield "light_z", 2, light_z
-    mask3 = shadow_mask(observer_z, light_z, observer_to_light(observer, light, 64), nearest)
-    yield "mask3", 1, mask3
-    yield "mask3_short", 1, shadow_mask(observer_z, light_z,
-                                        observer_to_light(observer, light, 64), nearest,
-                                        accumulator=22)
-    yield "mask3_shorter", 1, shadow_mask(observer_z, light_z,
-                                          observer_to_light(observer, light, 100), nearest,
-                                          accumulator=16, near=True)
-    yield "mask3_ap120b", 1, array_mask(observer_z, light_z,
-                                        observer_to_light(observer, light, 64), array_nearest)
-    noise = dither_words(0x12345678, 12, 256)
-    mask4 = shadow_mask(observer_z, light_z, observer_to_light(observer, light, 192), bilinear,
-                        noise)
-    yield "mask4", 1, mask4
-    yield "mask4_ap120b", 1, array_mask(observer_z, light_z,
-                                        observer_to_light(observer, light, 192), array_bilinear,
-                                        noise)
-    edges = dequantize(mask4, observer_z, 4)
-    yield "edges5", 1, edges
-    filtered = low_pass(edges, observer_z)
-    yield "filtered5", 1, filtered
-    # Where something is drawn the figures' ambient share is the same everywhere.
-    ambient = half_up(215 * 90 << 14, 1 << 22)
-    direct = [i - ambient if c != BACKGROUND else 0 for i, c in zip(intensity, observer_z)]
-    yield "direct", 1, direct
-    yield "picture6", 1, composite(intensity, direct, filtered, 218)
+def variant(job):
+    name, arguments, buffers = job
+    frame = Frame(*arguments)
+    return [(name, buffer, *hashed(frame, buffer)) for buffer in buffers]
+
+
+def hashed(frame, buffer):
+    values, size = getattr(frame, buffer), frame.bytes_a_value(buffer)
+    return published_hash(values, size, frame.s.size_px), to_bytes(values, size)
+
+
+def run(job):
+    return figures(job) if job is None else variant(job)
+
+
+def published(text):
+    """(variant or "", buffer) to hash"""
+    # The figures' rows have three columns before the buffer's name, the variants' one.
+    row = r"^\|[^|]*\|[^|]*\|[^|]*\| (\w+) \| `(\w+:\d+x\d+:fnv1a64:[0-9a-f]{16})` \|"
+    found = {("", name): h for name, h in re.findall(row, text, re.MULTILINE)}
+    for name, buffer, h in table(text, "| variant | buffer | hash |"):
+        found[name, buffer] = h.strip("`")
+    return found
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--machine", type=pathlib.Path, help="hw/MACHINE.md",
+                        default=HW / "MACHINE.md")
+    parser.add_argument("--all", action="store_true", help="the large variants, too")
+    parser.add_argument("--only", action="append", help="a variant, or `figures`")
+    parser.add_argument("--jobs", type=int, default=multiprocessing.cpu_count())
     parser.add_argument("--buffers", type=pathlib.Path, help="write the buffers into this folder")
-    parser.add_argument("--machine", type=pathlib.Path, help="MACHINE.md",
-                        default=pathlib.Path(__file__).parent / "../../hw/MACHINE.md")
     options = parser.parse_args()
-    # The figures' rows have three columns before the buffer's name, the variants' one.
-    row = r"^\|[^|]*\|[^|]*\|[^|]*\| (\w+) \| `(\w+:\d+x\d+:fnv1a64:[0-9a-f]{16})` \|"
-    files = [options.machine, *(options.machine.parent / "machine").glob("*.md")]
-    text = "".join(file.read_text(encoding="utf-8") for file in files)
-    published = dict(re.findall(row, text, re.MULTILINE))
+    text = document(options.machine)
+    listed = published(text)
+    jobs = [None] if not options.only or "figures" in options.only else []
+    left_out = {key for key in listed if not jobs and not key[0]}
+    for name, arguments, buffers, pixels in variants(text):
+        wanted = name in options.only if options.only else options.all or pixels <= SMALL
+        if wanted:
+            jobs.append((name, arguments, buffers))
+        else:
+            left_out |= {key for key in listed if key[0] == name}
     good = True
-    for name, size, values in figures():
-        found = published_hash(values, size)
-        same = found == published.pop(name, None)
-        good = good and same
-        print(f"{name:12} {found}{'' if same else '  DIFFERS'}", flush=True)
-        if options.buffers:
-            options.buffers.mkdir(parents=True, exist_ok=True)
-            (options.buffers / f"{name}.{found.split(':')[0]}").write_bytes(to_bytes(values, size))
-    for name in published:
-        print(f"{name:12} is not computed here")
-    return 0 if good and not published else 1
+    with multiprocessing.Pool(options.jobs) as pool:
+        for result in pool.imap(run, jobs, 1):
+            for name, buffer, found, data in result:
+                same = found == listed.pop((name, buffer), None)
+                good = good and same
+                row = f"| {name} | {buffer} | `{found}` |" if name else f"{buffer} {found}"
+                print(row + ("" if same else "  DIFFERS"), flush=True)
+                if options.buffers:
+                    options.buffers.mkdir(parents=True, exist_ok=True)
+                    path = options.buffers / f"{name}{buffer}.{found.split(':')[0]}"
+                    path.write_bytes(data)
+    missing = set(listed) - left_out
+    for key in sorted(missing):
+        print(" ".join(key), "is not computed here")
+    if left_out:
+        print(f"{len(left_out)} hashes of large variants were left out (--all)")
+    return 0 if good and not missing else 1
 
 
 if __name__ == "__main__":

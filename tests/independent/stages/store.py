@@ -1,0 +1,43 @@
+"""The frame store and a whole drawing (section 8)."""
+from .blocks import Counts, blocks, component, screen_components
+from .samples import block_corners, samples, z_code
+from .transform_unit import Loaded
+
+
+def draw(patches, object_fraction, view, s, record=None, shading=None):
+    """The planes of a view of the object words, and counts.
+
+    Without `record` the store keeps codes only, as the light's does.  Else record(sample, code,
+    block) is what is compared after the code: intensity, direct and any others.
+    """
+    planes = [s.background_code] * (s.size_px * s.size_px)
+    stored = {}
+    counts = Counts()
+    loaded = Loaded(view.world_to_screen(s), object_fraction, 1 << 14, s)
+    screen = 3 if loaded.affine else 4
+    for patch in patches:
+        components = screen_components(patch, loaded, s)
+        if record:
+            components += [component([word << 6 for word in words]) for words in zip(*patch)]
+        for block in blocks(components, loaded.affine, s, counts):
+            grids = block_corners(block, loaded.affine, s)
+            if grids is None:
+                counts.unresolved += 1
+                continue
+            counts.drawn += 1
+            shaded = record and record(shading.block(block[screen:]))
+            for sample in samples(grids, s):
+                px, py = sample[:2]
+                code, p = z_code(sample[4], s), py * s.size_px + px
+                if code is None or code > planes[p]:
+                    continue
+                if not record:
+                    planes[p] = code
+                    continue
+                values = shaded(sample, code)
+                if code < planes[p] or p not in stored or values < stored[p]:
+                    planes[p], stored[p] = code, values
+    width = len(next(iter(stored.values()), (0, 0)))
+    rest = [[stored[p][k] if p in stored else 0 for p in range(len(planes))]
+            for k in range(width)]
+    return planes, rest, counts
