@@ -33,7 +33,7 @@ constexpr std::array thresholds{-24, -16, -8, 0, 8, 16, 24};  // words
 constexpr std::size_t sign = 3;                               // the threshold 0
 
 enum class Axis : std::uint8_t { x, y };
-enum class Form : std::uint8_t { definition, rows };
+enum class LoopForm : std::uint8_t { definition, rows };
 
 // For each threshold, 1 where a pixel's word is at least that.
 using Bits = std::vector<std::uint8_t>;
@@ -73,7 +73,7 @@ hw::MatrixWords moved(Axis axis, int threshold) {
 }
 
 // Read from the masks of the post-process, in one of its forms.
-AxisBits seen_in_masks(Axis axis, DitherShape shape, Form form) {
+AxisBits seen_in_masks(Axis axis, DitherShape shape, LoopForm form) {
     shadow::ShadowTest s;
     s.dither.shape = shape;
     const hw::MachineSpec& m = s.machine;
@@ -89,7 +89,7 @@ AxisBits seen_in_masks(Axis axis, DitherShape shape, Form form) {
     for (std::size_t t = 0; t < thresholds.size(); ++t) {
         std::vector<std::uint8_t> mask(surface.size());
         const hw::MatrixWords matrix = moved(axis, thresholds[t]);
-        if (form == Form::definition) {
+        if (form == LoopForm::definition) {
             post_process(maps, matrix, s, mask);
         } else {
             EXPECT_TRUE(rows_cover(s, matrix));
@@ -102,7 +102,7 @@ AxisBits seen_in_masks(Axis axis, DitherShape shape, Form form) {
     return seen;
 }
 
-Seen seen_in_masks(DitherShape shape, Form form) {
+Seen seen_in_masks(DitherShape shape, LoopForm form) {
     return {seen_in_masks(Axis::x, shape, form), seen_in_masks(Axis::y, shape, form)};
 }
 
@@ -187,8 +187,8 @@ void expect_sound(const Statistics& s, const std::string& what) {
 // --- the stream as used -------------------------------------------------------------------------
 
 TEST(DitherInUse, HasItsDistributionAndNoCorrelation) {
-    for (const Form form : {Form::definition, Form::rows}) {
-        const std::string name = form == Form::rows ? "row form, " : "definition, ";
+    for (const LoopForm form : {LoopForm::definition, LoopForm::rows}) {
+        const std::string name = form == LoopForm::rows ? "row form, " : "definition, ";
         expect_sound(measure(name + "normal", seen_in_masks(DitherShape::normal, form),
                              exact_words<12>()), name + "normal");
         expect_sound(measure(name + "uniform", seen_in_masks(DitherShape::uniform, form),
@@ -199,7 +199,7 @@ TEST(DitherInUse, HasItsDistributionAndNoCorrelation) {
 // The masks show the source's words, so the faults below are those that masks would show.
 TEST(DitherInUse, IsReadRightFromTheMasks) {
     const Seen words = seen_of(words_of(DitherShape::normal));
-    const Seen masks = seen_in_masks(DitherShape::normal, Form::definition);
+    const Seen masks = seen_in_masks(DitherShape::normal, LoopForm::definition);
     EXPECT_TRUE(words.x == masks.x);
     EXPECT_TRUE(words.y == masks.y);
 }

@@ -7,7 +7,7 @@
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 
-flags="-std=c++20 -O2 -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -fno-exceptions -fno-rtti
+flags="-std=c++20 -O1 -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -fno-exceptions -fno-rtti
 -ffreestanding -fno-threadsafe-statics -I$root"
 if command -v arm-none-eabi-g++ >/dev/null; then
   newlib=$(cd "$(dirname "$(command -v arm-none-eabi-g++)")/.." && pwd)/include/newlib

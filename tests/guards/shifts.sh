@@ -38,9 +38,10 @@ done
 [ "$(grep -ho 'guard: the one signed shift' $headers $sources | wc -l)" -eq 1 ] ||
   fail "one line of the core may shift a signed value"
 
+compiler="$CXX -std=c++20 -I$scratch/core"
+precompile "$compiler"
 compile() {
-  "$CXX" -std=c++20 -fsyntax-only -include "$scratch/shift.hpp" -I"$scratch/core" "$1" \
-    >"$scratch/log" 2>&1
+  $compiler $precompiled -include "$scratch/shift.hpp" -fsyntax-only "$1" >"$scratch/log" 2>&1
 }
 for h in $headers; do echo "#include \"$h\""; done >"$scratch/core/headers.cpp"
 for source in headers.cpp $sources; do

@@ -77,7 +77,7 @@ TEST(ViewAxes, FromPointsAreTheTexts) {
     }
 }
 
-View random_view(Random& random, bool perspective) {
+View random_fitted_view(Random& random, bool perspective) {
     View v;
     v.projection = perspective ? Projection::perspective : Projection::orthographic;
     v.axes = axes_from_angles(static_cast<std::int32_t>(random.between(-180 << 16, 180 << 16)),
@@ -114,7 +114,7 @@ DepthRange range_of(const View& v, std::span<const Patch> patches) {
 TEST(View, DepthRangeIsTheTextsRoundedOutward) {
     Random random;
     for (int n = 0; n < effort(3000); ++n) {
-        const View v = random_view(random, n % 2 == 0);
+        const View v = random_fitted_view(random, n % 2 == 0);
         std::vector<Patch> patches(random.bits() % 3 + 1);
         const int shift = static_cast<int>(random.between(1, 20));
         for (Patch& p : patches)
@@ -123,14 +123,14 @@ TEST(View, DepthRangeIsTheTextsRoundedOutward) {
         ASSERT_EQ(range.min, expected.min) << "case " << n;
         ASSERT_EQ(range.max, expected.max) << "case " << n;
     }
-    const DepthRange none = depth_range(random_view(random, true), {});
+    const DepthRange none = depth_range(random_fitted_view(random, true), {});
     EXPECT_TRUE(none.min == 0 && none.max == 0);
 }
 
 TEST(View, NearAndFarAreTheTexts) {
     Random random;
     for (int n = 0; n < effort(20000); ++n) {
-        View v = random_view(random, n % 2 == 0);
+        View v = random_fitted_view(random, n % 2 == 0);
         const std::int64_t size = std::int64_t{1} << random.between(1, 34);
         DepthRange d{random.between(-size, size), random.between(-size, size)};
         if (d.min > d.max) std::swap(d.min, d.max);
@@ -153,7 +153,7 @@ TEST(View, NearAndFarAreTheTexts) {
 TEST(Shading, TheEyeIsTheTexts) {
     Random random;
     for (int n = 0; n < effort(20000); ++n) {
-        const View v = random_view(random, n % 2 == 0);
+        const View v = random_fitted_view(random, n % 2 == 0);
         const hw::WordFormat object{16, static_cast<int>(random.between(0, 14))};
         const Toward t = toward_eye(v, object);
         ASSERT_EQ(t.to_point, v.projection == Projection::perspective);

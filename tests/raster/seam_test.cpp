@@ -51,7 +51,7 @@ struct Fold {
 };
 
 // How well outlines are known, in pixels, with what the slack adds outside.
-constexpr double margin = 0.1;
+constexpr double seam_margin = 0.1;
 
 Place project(const Camera& c, const Vector3& p) {
     const Vector3 from = along(p, -1, c.is_perspective() ? c.eye() : c.target);
@@ -107,8 +107,8 @@ void expect_no_hole(const Fold& fold, const Drawing<>& stage, int number, std::i
             bool must = false, may = false;
             for (const Wing& w : fold.wing) {
                 const double outer = w.within_outer(p), shared = w.within(0, p);
-                must = must || (outer > margin && shared >= 0);
-                may = may || (outer > -margin && shared >= -margin);
+                must = must || (outer > seam_margin && shared >= 0);
+                may = may || (outer > -seam_margin && shared >= -seam_margin);
             }
             pixels += must ? 1 : 0;
             const bool drawn = stage.drawn(px, py);

@@ -8,7 +8,7 @@
 namespace umbra78::tools {
 namespace {
 
-const char* name_of(shadow::ArrayCycleSource source) {
+const char* source_name(shadow::ArrayCycleSource source) {
     constexpr const char* names[] = {"replayed", "published", "assumed"};
     return names[static_cast<std::size_t>(source)];
 }
@@ -25,7 +25,7 @@ std::string print(const shadow::ArrayCost& cost, int clock_ns) {
     for (const shadow::ArrayCostStep& s : cost.list())
         text += fmt::format("  {:<24}{:>8.1f} ms  {} x {} cycles a pixel ({})\n", s.name,
                             simulated_ms(cost.cycles(s), clock_ns), s.elements, s.cycles,
-                            name_of(s.source));
+                            source_name(s.source));
     const auto call_ms = [&](int us) { return static_cast<double>(cost.calls()) * us * 1e-3; };
     return text + fmt::format("  apart: host transfer {:.1f} ms (assumed); {} library calls, "
                               "{:.0f} to {:.0f} ms of overhead (published)\n",
@@ -38,7 +38,7 @@ nlohmann::ordered_json to_json(const shadow::ArrayCost& cost, int clock_ns) {
     auto steps = nlohmann::ordered_json::array();
     for (const shadow::ArrayCostStep& s : cost.list())
         steps.push_back({{"step", s.name},
-                         {"source", name_of(s.source)},
+                         {"source", source_name(s.source)},
                          {"elements_a_pixel", s.elements},
                          {"cycles_an_element", s.cycles},
                          {"ms", simulated_ms(cost.cycles(s), clock_ns)}});

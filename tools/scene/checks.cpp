@@ -12,7 +12,7 @@ std::string decimal(std::int64_t q16) {
     return fmt::format("{:.6g}", static_cast<double>(q16) / world_one);
 }
 
-raster::View fitted(raster::View view, Patches patches) {
+raster::View fitted_view(raster::View view, Patches patches) {
     view.extent = fitted_extent(view, patches);
     raster::fit_depth(view, raster::depth_range(view, patches));
     return view;
@@ -20,7 +20,7 @@ raster::View fitted(raster::View view, Patches patches) {
 
 void warn_of_light(const LoadedScene& scene, std::vector<std::string>& warnings) {
     const Outside outside = count_outside(scene.light, scene.patches);
-    const raster::View whole = fitted(scene.light, scene.patches);
+    const raster::View whole = fitted_view(scene.light, scene.patches);
     const Outside remaining = count_outside(whole, scene.patches);
     const std::size_t all = scene.patches.size();
     if (outside.window > remaining.window)
@@ -41,7 +41,7 @@ void warn_of_light(const LoadedScene& scene, std::vector<std::string>& warnings)
 
 void warn_of_observer(const LoadedScene& scene, std::vector<std::string>& warnings) {
     const Outside outside = count_outside(scene.observer, scene.patches);
-    const raster::View whole = fitted(scene.observer, scene.patches);
+    const raster::View whole = fitted_view(scene.observer, scene.patches);
     const std::size_t all = scene.patches.size();
     if (outside.depth > count_outside(whole, scene.patches).depth)
         warnings.push_back(fmt::format(

@@ -1,16 +1,14 @@
 #include "tools/truth/edge_bands.hpp"
 
 #include "tools/truth/image_walk.hpp"
+#include "tools/truth/real3.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace umbra78::tools {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // A surface point P is slid over its surface: the ray from a point beside P to the light meets the
 // surface again at t.

@@ -1,16 +1,14 @@
 #include "tools/truth/edge_distance.hpp"
 
 #include "tools/truth/image_walk.hpp"
+#include "tools/truth/real3.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace umbra78::tools {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Squared distances to the nearest marked place of a line of them, each with a squared distance
 // of its own: the lower envelope of parabolas (Felzenszwalb and Huttenlocher, "Distance Transforms

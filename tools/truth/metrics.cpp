@@ -1,15 +1,13 @@
 #include "tools/truth/metrics.hpp"
 
 #include "tools/truth/image_walk.hpp"
+#include "tools/truth/real3.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace umbra78::tools {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 void count(ShadowError& error, bool lit, bool in_shadow) {
     error.lit += lit;

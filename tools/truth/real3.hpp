@@ -3,10 +3,15 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace umbra78::tools {
 
 using Real3 = std::array<double, 3>;
+
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline double dot(const Real3& a, const Real3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -1,18 +1,16 @@
 #include "tools/truth/spectrum.hpp"
 
 #include "tools/truth/image_walk.hpp"
+#include "tools/truth/real3.hpp"
 
 #include <kissfft/kissfft.hh>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 namespace umbra78::tools {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Calls visit(power) for the bins the measures use.
 template <class Visit>

@@ -1,13 +1,13 @@
 #include "tools/truth/truth.hpp"
 
+#include "tools/truth/real3.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 namespace umbra78::tools {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Columns and rows that may show a surface, ends excluded.
 struct PixelBox {

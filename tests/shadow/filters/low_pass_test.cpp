@@ -16,15 +16,15 @@ namespace {
 
 using test::Random;
 
-constexpr hw::Depth16 none = 65535;
+constexpr hw::Depth16 empty = 65535;
 
-struct Picture {
-    explicit Picture(int bits)
+struct FilteredPicture {
+    explicit FilteredPicture(int bits)
         : size(1 << bits), observer(bits), mask(observer.depth.size()), out(mask.size(), 99) {
         std::fill(observer.depth.begin(), observer.depth.end(), hw::Depth16{0});
     }
     std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * size + x); }
-    void filter() { low_pass<hw::Depth16>(mask, observer.store, none, out); }
+    void filter() { low_pass<hw::Depth16>(mask, observer.store, empty, out); }
 
     int size;
     test::OwnedStore<hw::Depth16> observer;
@@ -32,15 +32,15 @@ struct Picture {
 };
 
 // The definition: 9 weights of 1, 2, 4 sixteenths; what is not seen is the pixel itself.
-std::uint8_t slow_pixel(const Picture& p, int x, int y) {
+std::uint8_t slow_pixel(const FilteredPicture& p, int x, int y) {
     constexpr std::array<std::array<int, 3>, 3> weight{{{1, 2, 1}, {2, 4, 2}, {1, 2, 1}}};
-    if (p.observer.depth[p.at(x, y)] == none) return 0;
+    if (p.observer.depth[p.at(x, y)] == empty) return 0;
     int sum = 0;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) {
             const int u = x + i - 1, v = y + j - 1;
             const bool seen = u >= 0 && v >= 0 && u < p.size && v < p.size &&
-                              p.observer.depth[p.at(u, v)] != none;
+                              p.observer.depth[p.at(u, v)] != empty;
             sum += weight[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] *
                    p.mask[seen ? p.at(u, v) : p.at(x, y)];
         }
@@ -50,21 +50,21 @@ std::uint8_t slow_pixel(const Picture& p, int x, int y) {
 TEST(LowPass, AConstantStaysConstant) {
     Random random;
     for (const int level : {0, 1, 127, 128, 254, 255}) {
-        Picture p(5);
+        FilteredPicture p(5);
         std::fill(p.mask.begin(), p.mask.end(), static_cast<std::uint8_t>(level));
         p.filter();
         EXPECT_EQ(p.out, p.mask);
         // With holes in the surface as well: a shadow does not fade toward a silhouette.
-        for (hw::Depth16& z : p.observer.depth) z = random.bits() % 3 == 0 ? none : hw::Depth16{5};
+        for (hw::Depth16& z : p.observer.depth) z = random.bits() % 3 == 0 ? empty : hw::Depth16{5};
         p.filter();
         for (std::size_t a = 0; a < p.out.size(); ++a)
-            ASSERT_EQ(p.out[a], p.observer.depth[a] == none ? 0 : level);
+            ASSERT_EQ(p.out[a], p.observer.depth[a] == empty ? 0 : level);
     }
 }
 
 TEST(LowPass, AnImpulseBecomesTheWeights) {
     for (const int level : {255, 16, 8, 7, 1}) {
-        Picture p(4);
+        FilteredPicture p(4);
         p.mask[p.at(6, 9)] = static_cast<std::uint8_t>(level);
         p.filter();
         const auto share = [&](int weight) { return (level * weight + 8) / 16; };
@@ -81,14 +81,14 @@ TEST(LowPass, AnImpulseBecomesTheWeights) {
 }
 
 TEST(LowPass, BeyondTheFrameAndBackgroundIsThePixelItself) {
-    Picture p(4);
+    FilteredPicture p(4);
     p.mask[p.at(0, 0)] = 255;
     p.filter();
     EXPECT_EQ(p.out[p.at(0, 0)], (255 * (4 + 1 + 2 + 1 + 2 + 1) + 8) / 16)
         << "its own weight, and those that fall outside";
     EXPECT_EQ(p.out[p.at(1, 0)], (255 * 2 + 8) / 16);
     EXPECT_EQ(p.out[p.at(1, 1)], (255 * 1 + 8) / 16);
-    p.observer.depth[p.at(0, 0)] = none;  // what is not seen gives nothing to its neighbours
+    p.observer.depth[p.at(0, 0)] = empty;  // what is not seen gives nothing to its neighbours
     p.filter();
     for (const std::uint8_t v : p.out) EXPECT_EQ(v, 0);
 }
@@ -96,13 +96,13 @@ TEST(LowPass, BeyondTheFrameAndBackgroundIsThePixelItself) {
 TEST(LowPass, IsTheSlowModel) {
     Random random;
     for (int round = 0; round < 40; ++round) {
-        Picture p(4 + round % 3);
+        FilteredPicture p(4 + round % 3);
         const std::uint64_t holes = random.bits() % 4;
         for (std::size_t a = 0; a < p.mask.size(); ++a) {
             p.mask[a] = random.bits() % 2 == 0 ? static_cast<std::uint8_t>(random.bits())
                                                : test::pick(random, {std::uint8_t{0},
                                                                      std::uint8_t{255}});
-            p.observer.depth[a] = random.bits() % 8 < holes ? none : hw::Depth16{65534};
+            p.observer.depth[a] = random.bits() % 8 < holes ? empty : hw::Depth16{65534};
         }
         p.filter();
         std::vector<std::uint8_t> expected;

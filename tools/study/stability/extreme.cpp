@@ -16,7 +16,7 @@ constexpr std::string_view front = "[observer]\ntarget = [0, 0, 0]\nextent = 2\n
 constexpr std::string_view eye =
     "[observer]\nprojection = \"perspective\"\ntarget = [0, 0, 0]\nextent = 2\ndistance = 5\n"
     "near = 0.0009765625\nfar = 60\n";
-constexpr std::string_view sun =
+constexpr std::string_view low_sun =
     "[light]\nazimuth = -60\nelevation = 30\ntarget = [0, 0, 0]\nextent = 2\n";
 constexpr std::string_view ball = "[[sphere]]\ncentre = [0, 0, 0]\nradius = 0.5\n";
 
@@ -58,7 +58,7 @@ Net crumpled(double s, double z, unsigned seed) {
 const auto stay = [](std::array<double, 3>&, double, double) {};
 
 std::vector<FrameCase> surfaces() {
-    const std::string view = std::string(front) + std::string(sun);
+    const std::string view = std::string(front) + std::string(low_sun);
     const std::string floor =
         "[[plane]]\norigin = [-2, -1.5, 2]\nu = [4, 0, 0]\nv = [0, 0, -4]\n";
     std::vector<FrameCase> all;
@@ -117,7 +117,7 @@ std::vector<FrameCase> surfaces() {
 }
 
 std::vector<FrameCase> through_the_eye() {
-    const std::string view = std::string(eye) + std::string(sun);
+    const std::string view = std::string(eye) + std::string(low_sun);
     std::vector<FrameCase> all;
     const auto add = [&](std::string_view name, std::string_view must, const std::string& scene,
                          std::vector<std::string> set = {}, std::int64_t splits = 50000) {
@@ -152,7 +152,7 @@ std::vector<FrameCase> through_the_eye() {
 }
 
 std::vector<FrameCase> widths() {
-    const std::string scene = std::string(front) + "elevation = 30\n" + std::string(sun) +
+    const std::string scene = std::string(front) + "elevation = 30\n" + std::string(low_sun) +
                               "[[plane]]\norigin = [-2, -0.5, 2]\nu = [4, 0, 0]\n"
                               "v = [0, 0, -4]\n" + std::string(ball);
     std::vector<FrameCase> all;
