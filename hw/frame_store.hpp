@@ -1,9 +1,11 @@
-// The frame store: a Z plane and an intensity plane of 2^xy_bits x 2^xy_bits words.
+// The frame store: a Z plane, an intensity plane and a plane of the light's direct share, of
+// 2^xy_bits x 2^xy_bits words each.
 //
 // Row 0 is the top of the picture; word y 2^xy_bits + x holds pixel (x, y). The Z code is
 // unsigned, 0 at the near plane; all ones is the background, and the code of what is drawn is
-// clamped to one less. Nearer replaces (Catmull 1974, p. 32); a tie in Z goes to the smaller
-// intensity, so the result depends on what is drawn and never on the order it is drawn in.
+// clamped to one less. Nearer replaces (Catmull 1974, p. 32). A tie in Z goes to the smaller
+// intensity and then to the smaller direct share, so the result depends on what is drawn and never
+// on the order it is drawn in. A sample replaces all planes or none: its words are one record.
 //
 // The planes are the caller's memory. FrameStore<Depth16> can be written; FrameStore<const Depth16>
 // is what a stage takes that only reads, and each converts to it by itself.
@@ -32,8 +34,9 @@ struct FrameStore {
     using Intensity = std::conditional_t<read_only, const std::uint8_t, std::uint8_t>;
 
     int xy_bits = 0;
-    std::span<Depth> depth;          // size_px^2 words
-    std::span<Intensity> intensity;  // size_px^2 words, or empty in the light's view
+    std::span<Depth> depth;            // size_px^2 words
+    std::span<Intensity> intensity{};  // size_px^2 words, or empty in the light's view
+    std::span<Intensity> direct{};     // how much of it the light gives; as large as `intensity`
 
     int size_px() const { return 1 << xy_bits; }
     std::size_t address(int x, int y) const {
@@ -44,7 +47,12 @@ struct FrameStore {
     constexpr bool fits(const MachineSpec& spec) const {
         const auto words = std::size_t{1} << (2 * spec.xy_bits);
         return xy_bits == spec.xy_bits && spec.z_bits <= 8 * static_cast<int>(sizeof(Depth)) &&
-               depth.size() == words && (intensity.empty() || intensity.size() == words);
+               depth.size() == words && (intensity.empty() || intensity.size() == words) &&
+               (direct.empty() || direct.size() == words);
+    }
+    // Whether it can keep what a shaded sample has.
+    constexpr bool shades() const {
+        return intensity.size() == depth.size() && direct.size() == depth.size();
     }
 
     void clear(const MachineSpec& spec)
@@ -52,12 +60,13 @@ struct FrameStore {
     {
         std::fill(depth.begin(), depth.end(), static_cast<Depth>(spec.background()));
         std::fill(intensity.begin(), intensity.end(), std::uint8_t{0});
+        std::fill(direct.begin(), direct.end(), std::uint8_t{0});
     }
 
     template <class Read>
         requires(!read_only && std::same_as<Read, const Depth>)
     constexpr operator FrameStore<Read>() const {
-        return {xy_bits, depth, intensity};
+        return {xy_bits, depth, intensity, direct};
     }
 };
 

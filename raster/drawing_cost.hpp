@@ -30,10 +30,11 @@ inline constexpr Operations centre_sample{6, 2, 4, 1, 22, 2};
 inline constexpr Operations leaf_sample{3, 0, 0, 0, 0, 2};
 // Two tangents, their product and its length in 30-bit words; a root and three quotients.
 inline constexpr Operations corner_normal{48, 9, 36, 4, 30 + 3 * 15, 0};
-// The normal at the leaf (18 products), its length, N.l, N.v, r, S; a root and two quotients.
+// The normal at the leaf (18 products), its length, N.l, N.v, r, S; a root and two quotients;
+// intensity and direct share written.
 constexpr Operations shaded_sample(int shininess) {
     const auto n = static_cast<std::uint64_t>(shininess);
-    return {40 + n, 34 + n, 18 + 12 + 12 + 4 + n, 3, 30 + 2 * 15, 1};
+    return {40 + n, 34 + n, 18 + 12 + 12 + 4 + n, 3, 30 + 2 * 15, 2};
 }
 inline constexpr std::uint64_t divided_corner_bits = 31;  // X, Y and Z of each corner
 

@@ -65,6 +65,11 @@ WideVector at_leaf(const std::array<Corner, 4>& c, int i, int j) {
 
 WideVector wide(const UnitVector& u) { return {u[0], u[1], u[2]}; }
 
+std::uint8_t level(std::int64_t sum_q22) {
+    return static_cast<std::uint8_t>(
+        std::min<std::int64_t>(fixed::round_shift(sum_q22, 22, Rounding::half_up), 255));
+}
+
 }  // namespace
 
 UnitVector unit_vector(WideVector v) {
@@ -116,7 +121,7 @@ UnitVector BlockShading::direction(const Toward& toward, int i, int j) const {
     return unit_vector(away);
 }
 
-std::uint8_t BlockShading::level(int i, int j, bool in_shadow) const {
+Shade BlockShading::shade(int i, int j, bool in_shadow) const {
     const WideVector n = at_leaf(normal_, i, j);  // Q.24
     const std::int64_t length =
         std::max<std::int64_t>(fixed::isqrt(static_cast<std::uint64_t>(dot(n, n))), 1);
@@ -131,18 +136,19 @@ std::uint8_t BlockShading::level(int i, int j, bool in_shadow) const {
         nl = -nl;
     }
     const bool lit = nl > 0 && !in_shadow;
-    const std::int64_t direct = lit ? (256 - spec_.ambient_q8) * nl : 0;
-    std::int64_t sum = material_.diffuse * (spec_.ambient_q8 * one_q14 + direct);  // Q.22
+    const std::int64_t ambient = material_.diffuse * spec_.ambient_q8 * one_q14;  // Q.22
+    std::int64_t direct = 0;
     if (lit) {
+        direct = material_.diffuse * (256 - spec_.ambient_q8) * nl;
         const std::int64_t lv = fixed::round_shift(dot(l, v), 14, Rounding::floor);
         std::int64_t rv = fixed::round_shift(2 * nl * nv, 14, Rounding::floor) - lv;
         rv = std::clamp<std::int64_t>(rv, 0, one_q14);
         for (int k = 0; k < material_.shininess; ++k)
             rv = fixed::round_shift(rv * rv, 14, Rounding::half_up);
-        sum += material_.specular * rv * 256;
+        direct += material_.specular * rv * 256;
     }
-    return static_cast<std::uint8_t>(
-        std::min<std::int64_t>(fixed::round_shift(sum, 22, Rounding::half_up), 255));
+    const std::uint8_t intensity = level(ambient + direct);
+    return {intensity, static_cast<std::uint8_t>(intensity - level(ambient))};
 }
 
 }  // namespace umbra78::raster

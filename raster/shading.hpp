@@ -3,8 +3,11 @@
 //   I = diffuse (ambient + (1 - ambient) max(0, N.L)) + specular max(0, R.V)^(2^shininess)
 //   R = 2 (N.L) N - L,   no highlight where N.L <= 0 or in shadow
 //
+// The light's direct share is I less the ambient term alone, both as levels. At 255 it is the
+// direct share that is cut, so a shadow never leaves less than the ambient term.
+//
 // In: a block's corners and corrections in object words with object_guard more fraction bits.
-// Out: a level of 0..255 for each leaf. hw/MACHINE.md, section 9, gives every rounding.
+// Out: for each leaf I and the direct share, 0..255. hw/MACHINE.md, section 9, has every rounding.
 // A block has a unit normal, Q1.14, at each of its corners, from its own tangents in the world;
 // a leaf's normal is the bilinear mean at the leaf's centre, and its length is divided out. It is
 // turned toward the viewer, so an open surface has two sides. Cosines are Q1.14, floored. Where a
@@ -18,6 +21,7 @@
 #include "raster/view.hpp"
 
 #include <array>
+#include <compare>
 #include <cstdint>
 
 namespace umbra78::raster {
@@ -45,14 +49,22 @@ struct ShadingSpec {
     Toward light{}, viewer{};
 };
 
+// What a sample is shaded with, in levels of 0..255. Samples at the same Z are ordered by it.
+struct Shade {
+    std::uint8_t intensity = 0;
+    std::uint8_t direct = 0;  // how much of it the light gives; the rest is ambient light
+
+    constexpr auto operator<=>(const Shade&) const = default;
+};
+
 // Normals and places at a block's four corners (2 v + u), ready for its 256 leaves.
 class BlockShading {
 public:
     BlockShading(const std::array<Component, 3>& world, const ShadingSpec& spec,
                  const Material& material);
 
-    // The level of leaf (i, j), lit or in the shadow of something else.
-    std::uint8_t level(int i, int j, bool in_shadow) const;
+    // Of leaf (i, j), lit or in the shadow of something else.
+    Shade shade(int i, int j, bool in_shadow) const;
 
 private:
     UnitVector direction(const Toward& toward, int i, int j) const;

@@ -1,9 +1,9 @@
 // The sinks that keep samples in a frame store: DepthSink Z alone (the light's view), PictureSink
-// Z and intensity (the observer's). hw/MACHINE.md, section 8.
+// Z, intensity and direct share (the observer's). hw/MACHINE.md, section 8.
 //
-// A nearer sample replaces what is stored; at equal Z the smaller intensity does. So the store
-// holds the smallest (Z, intensity) in whatever order the samples come, and blocks may be skipped
-// where they are hidden, reordered or shared out.
+// A nearer sample replaces what is stored; at equal Z the smaller (intensity, direct share) does.
+// So the store holds the smallest record in whatever order the samples come, and blocks may be
+// skipped where they are hidden, reordered or shared out.
 #pragma once
 
 #include "hw/frame_store.hpp"
@@ -39,20 +39,30 @@ struct DepthSink {
     }
 };
 
+// A store without intensities or direct shares traps.
 template <class Depth>
-struct PictureSink {
+class PictureSink {
+public:
     static constexpr bool shades = true;
-    hw::FrameStore<Depth>& store;
 
-    bool hidden(const Footprint& f) const { return all_nearer(store, f); }
-    void sample(const Sample& s, std::uint32_t code, const BlockShading* shading) {
-        const std::size_t a = store.address(s.px, s.py);
-        if (code > store.depth[a]) return;
-        const std::uint8_t level = shading->level(s.leaf_i, s.leaf_j, false);
-        if (code == store.depth[a] && level >= store.intensity[a]) return;
-        store.depth[a] = static_cast<Depth>(code);
-        store.intensity[a] = level;
+    PictureSink(hw::FrameStore<Depth>& store) : store_(store) {
+        fixed::require(store.shades(), "picture: the store has no intensities or direct shares");
     }
+
+    bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
+    void sample(const Sample& s, std::uint32_t code, const BlockShading* shading) {
+        const std::size_t a = store_.address(s.px, s.py);
+        if (code > store_.depth[a]) return;
+        const Shade shade = shading->shade(s.leaf_i, s.leaf_j, false);
+        if (code == store_.depth[a] && shade >= Shade{store_.intensity[a], store_.direct[a]})
+            return;
+        store_.depth[a] = static_cast<Depth>(code);
+        store_.intensity[a] = shade.intensity;
+        store_.direct[a] = shade.direct;
+    }
+
+private:
+    hw::FrameStore<Depth>& store_;
 };
 
 }  // namespace umbra78::raster

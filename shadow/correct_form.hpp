@@ -4,7 +4,7 @@
 // the ambient light alone: no highlight stands in shadow (Williams 1978, p. 272). Every generated
 // point is transformed, hidden or not, so the cost grows with the area of all surfaces drawn; it
 // is why the paper prefers the post-process. Nearer replaces; a tie goes to the smaller intensity,
-// then to the smaller mask.
+// then to the smaller direct share, then to the smaller mask.
 #pragma once
 
 #include "raster/sinks.hpp"
@@ -32,8 +32,8 @@ public:
           draws_noise_(noise) {
         check_machine(settings.machine);
         check_observer<Depth>(store, settings.machine);
-        fixed::require(store.intensity.size() == store.depth.size(),
-                       "correct form: the observer's store has no intensities");
+        fixed::require(store.shades(),
+                       "correct form: the observer's store has no intensities or direct shares");
         check_light(map.store, settings.machine);
         check_mask(mask, settings.machine);
     }
@@ -46,14 +46,15 @@ public:
         const std::size_t a = store_.address(s.px, s.py);
         if (code > store_.depth[a]) return;
         const bool shadow = in_shadow(map_, unit_(words(s, code)), noise(s));
-        const std::uint8_t level = shading->level(s.leaf_i, s.leaf_j, shadow);
+        const raster::Shade shade = shading->shade(s.leaf_i, s.leaf_j, shadow);
         const std::uint8_t mask = shadow ? mask_shadow : mask_lit;
         if (code == store_.depth[a]) {
-            if (level > store_.intensity[a]) return;
-            if (level == store_.intensity[a] && mask >= mask_[a]) return;
+            const raster::Shade stored{store_.intensity[a], store_.direct[a]};
+            if (shade > stored || (shade == stored && mask >= mask_[a])) return;
         }
         store_.depth[a] = static_cast<Depth>(code);
-        store_.intensity[a] = level;
+        store_.intensity[a] = shade.intensity;
+        store_.direct[a] = shade.direct;
         mask_[a] = mask;
     }
 

@@ -30,9 +30,10 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
                             std::size_t lights) {
     const std::size_t pixels = std::size_t{1} << (2 * spec.xy_bits);
     FrameBuffers<Depth> f;
-    f.observer = {spec.xy_bits, carver.take<Depth>(pixels), carver.take<std::uint8_t>(pixels)};
+    f.observer = {spec.xy_bits, carver.take<Depth>(pixels), carver.take<std::uint8_t>(pixels),
+                  carver.take<std::uint8_t>(pixels)};
     for (LightBuffers<Depth>& light : std::span(f.lights).first(lights)) {
-        light.map = {spec.xy_bits, carver.take<Depth>(pixels), {}};
+        light.map = {spec.xy_bits, carver.take<Depth>(pixels)};
         light.mask = carver.take<std::uint8_t>(pixels);
         light.edges = carver.take<std::uint8_t>(pixels);
         light.filtered = carver.take<std::uint8_t>(pixels);

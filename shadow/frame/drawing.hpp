@@ -15,7 +15,7 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
     const hw::MachineSpec& m = in.settings.machine;
     const std::size_t pixels = std::size_t{1} << (2 * m.xy_bits);
     bool fits = frame.observer.xy_bits == m.xy_bits && frame.observer.depth.size() == pixels &&
-                frame.observer.intensity.size() == pixels && frame.picture.size() == pixels;
+                frame.observer.shades() && frame.picture.size() == pixels;
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
         const LightBuffers<Depth>& light = frame.lights[l];
         fits = fits && light.map.xy_bits == m.xy_bits && light.map.depth.size() == pixels &&

@@ -33,8 +33,8 @@ inline constexpr Operations coverage_pixel{
 inline constexpr Operations low_pass_pixel{
     .adds = 12, .products = 0, .passes = 0, .quotients = 0, .quotient_bits = 0, .accesses = 10};
 
-// For each pixel.
+// For each pixel: picture, direct share and mask read, the picture written.
 inline constexpr Operations composite_pixel{
-    .adds = 2, .products = 2, .passes = 2, .quotients = 1, .quotient_bits = 10, .accesses = 3};
+    .adds = 2, .products = 2, .passes = 2, .quotients = 1, .quotient_bits = 10, .accesses = 4};
 
 }  // namespace umbra78::shadow::cost

@@ -10,11 +10,12 @@
 namespace umbra78::shadow {
 namespace {
 
-// Memory that holds no result: for work whose result nobody reads.
+// Memory that holds no result: two planes, for work whose result nobody reads.
 template <class Depth>
-std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame) {
-    const std::span coverage = frame.edge_memory.coverage;
-    return {reinterpret_cast<std::uint8_t*>(coverage.data()), frame.picture.size()};
+std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame, std::size_t plane = 0) {
+    const std::span coverage = std::as_writable_bytes(frame.edge_memory.coverage);
+    const std::span bytes(reinterpret_cast<std::uint8_t*>(coverage.data()), coverage.size());
+    return bytes.subspan(plane * frame.picture.size(), frame.picture.size());
 }
 
 // Where Z is kept and the intensities are drawn anew: they start from the max level, and only
@@ -22,7 +23,7 @@ std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame) {
 template <class Depth>
 void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store) {
     for (std::size_t k = 0; k < store.depth.size(); ++k)
-        store.intensity[k] = store.depth[k] == spec.background() ? 0 : 255;
+        store.intensity[k] = store.direct[k] = store.depth[k] == spec.background() ? 0 : 255;
 }
 
 void copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
@@ -48,7 +49,8 @@ void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
         return;
     }
     hw::FrameStore<Depth> shaded = map;
-    shaded.intensity = scratch(frame);
+    shaded.intensity = scratch(frame, 0);
+    shaded.direct = scratch(frame, 1);
     into(raster::PictureSink<Depth>{shaded});
 }
 
@@ -136,7 +138,9 @@ void filter_and_composite(const FrameInputs& in, const FramePlan& plan, FrameBuf
     std::span<const std::uint8_t> picture = frame.observer.intensity;
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
         if (plan.leaves_out(Omission::composite, l)) continue;
-        composite(picture, frame.lights[l].filtered, density, frame.picture);
+        const bool whole = in.settings.composite == Composite::whole;
+        composite(picture, whole ? picture : frame.observer.direct, frame.lights[l].filtered,
+                  density, frame.picture);
         picture = frame.picture;
     }
     if (picture.data() != frame.picture.data()) copy(picture, frame.picture);

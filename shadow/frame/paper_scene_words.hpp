@@ -23,7 +23,7 @@ inline constexpr std::int32_t light_azimuth_q16 = -6553600;
 inline constexpr std::int32_t extent_q16 = 131072;
 
 inline constexpr std::int32_t ambient_q8 = 90;
-inline constexpr std::int32_t density_q8 = 141;
+inline constexpr std::int32_t density_q8 = 218;
 inline constexpr std::int64_t bias_q16 = 12582912;
 inline constexpr auto lookup = static_cast<Lookup>(1);
 inline constexpr auto dither = static_cast<hw::DitherShape>(4);

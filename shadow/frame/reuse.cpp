@@ -79,7 +79,7 @@ bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
 bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) {
     return a.dequantize_passes == b.dequantize_passes &&
            a.low_pass_passes == b.low_pass_passes &&
-           (shadow_in_shading || a.density_q8 == b.density_q8);
+           (shadow_in_shading || (a.density_q8 == b.density_q8 && a.composite == b.composite));
 }
 
 }  // namespace

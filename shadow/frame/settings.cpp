@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"}
 constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
                                                        "normal"};
+constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
 constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
 constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
 constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};
@@ -102,8 +103,12 @@ constexpr std::array table{
                                            "3 x 3 binomial low-pass of the mask; 0 is off"),
     decimal<UMBRA78_ACCESS(ambient_q8)>("ambient", "of 1", 0, 256, 8,
                                         "light that reaches a surface from everywhere"),
-    decimal<UMBRA78_ACCESS(density_q8)>("density", "of 1", 0, 256, 8,
-                                        "of the translucent shadow: 0 invisible, 1 black"),
+    choice<UMBRA78_ACCESS(composite)>(
+        "composite", composite_names,
+        "what a shadow darkens: its light's direct share, or the whole picture (ambient, too)"),
+    decimal<UMBRA78_ACCESS(density_q8)>(
+        "density", "of 1", 0, 256, 8,
+        "how much of that a full shadow takes away: 0 invisible, 1 all of it"),
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
         "test visible pixels after the picture is drawn, or each point before it is shaded"),

@@ -9,6 +9,7 @@
 #include "raster/sampling.hpp"
 #include "shadow/bias.hpp"
 #include "shadow/clocked/timed_test.hpp"
+#include "shadow/filters/composite.hpp"
 
 #include <cstdint>
 #include <span>
@@ -29,7 +30,8 @@ struct Settings : TimedTest {
     std::int32_t dequantize_passes = 0;  // 1-2-1 averages along the edge chain; 0: off
     std::int32_t low_pass_passes = 0;    // 3 x 3 binomial; 0: off
     std::int32_t ambient_q8 = 77;        // 0..256
-    std::int32_t density_q8 = 154;       // of the shadow: 0 invisible, 256 black
+    Composite composite = Composite::direct;
+    std::int32_t density_q8 = 218;       // of the shadow: 0 invisible, 256 nothing is left
     Form form = Form::post_process;
     Arithmetic arithmetic = Arithmetic::fixed;
     hw::ap120b::MemorySpeed array_memory = hw::ap120b::MemorySpeed::standard;

@@ -25,7 +25,7 @@ struct Comparison {
 Comparison compare_figure(int figure, const Settings& s, std::int64_t less_bias_q16 = 0) {
     Settings on_fixed = s, on_array = s;
     on_fixed.bias_q16 -= less_bias_q16;
-    apply(*shadow::find_profile("ap120b"), on_array);
+    on_array.arithmetic = shadow::Arithmetic::ap120b;
     const Machine fixed(on_fixed), array(on_array);
     Comparison c;
     for (std::size_t a = 0; a < fixed.visible.size(); ++a) {

@@ -30,11 +30,12 @@ TEST(FrameStore, ClearingLeavesBackgroundAndBlack) {
         spec.xy_bits = 4;
         spec.z_bits = z_bits;
         std::vector<Depth16> depth(256, 5);
-        std::vector<std::uint8_t> intensity(256, 7);
-        FrameStore<Depth16> store{4, depth, intensity};
+        std::vector<std::uint8_t> intensity(256, 7), direct(256, 9);
+        FrameStore<Depth16> store{4, depth, intensity, direct};
         store.clear(spec);
         EXPECT_EQ(std::count(depth.begin(), depth.end(), (1 << z_bits) - 1), 256);
         EXPECT_EQ(std::count(intensity.begin(), intensity.end(), 0), 256);
+        EXPECT_EQ(std::count(direct.begin(), direct.end(), 0), 256);
     }
     MachineSpec wide;
     wide.xy_bits = 4;
@@ -85,7 +86,12 @@ TEST(FrameStore, FitsOneMachine) {
     const std::span planes(depth);
     EXPECT_FALSE((FrameStore<Depth16>{5, planes.first(1023), intensity}.fits(spec)));
     EXPECT_FALSE((FrameStore<Depth16>{5, {}, {}}.fits(spec)));
-    EXPECT_FALSE((FrameStore<Depth16>{5, depth, std::span(intensity).first(1023)}.fits(spec)));
+    const std::span bytes(intensity);
+    EXPECT_FALSE((FrameStore<Depth16>{5, depth, bytes.first(1023)}.fits(spec)));
+    EXPECT_FALSE((FrameStore<Depth16>{5, depth, bytes, bytes.first(1023)}.fits(spec)));
+    EXPECT_TRUE((FrameStore<Depth16>{5, depth, bytes, bytes}.fits(spec)));
+    EXPECT_TRUE((FrameStore<Depth16>{5, depth, bytes, bytes}.shades()));
+    EXPECT_FALSE((FrameStore<Depth16>{5, depth, bytes}.shades()));
     spec.z_bits = 17;  // a code would not fit its word
     EXPECT_FALSE(store.fits(spec));
     std::vector<Depth32> wide(1024);

@@ -108,7 +108,10 @@ struct ExactShading {
         return exact_unit14({1024 * Int128{t.point[0]} - q[0], 1024 * Int128{t.point[1]} - q[1],
                              1024 * Int128{t.point[2]} - q[2]});
     }
-    int level(int i, int j, bool in_shadow) const {
+    static std::uint8_t level(const Int128& s) {
+        return static_cast<std::uint8_t>(std::min<Int128>(255, half_up_of(s, power(22))));
+    }
+    Shade shade(int i, int j, bool in_shadow) const {
         const ExactVector n = mean(normal, i, j);
         const ExactVector l = direction(light, i, j), v = direction(viewer, i, j);
         const Int128 length = std::max<Int128>(1, exact_root(exact_dot(n, n)));
@@ -117,14 +120,15 @@ struct ExactShading {
             nl = -nl;
             nv = -nv;
         }
-        Int128 s = material.diffuse * power(14) * ambient;
+        const Int128 unlit = material.diffuse * power(14) * ambient;
+        Int128 s = unlit;
         if (nl > 0 && !in_shadow) {
             Int128 r = floor_of(2 * nl * nv, power(14)) - floor_of(exact_dot(l, v), power(14));
             r = std::clamp<Int128>(r, 0, power(14));
             for (int k = 0; k < material.shininess; ++k) r = half_up_of(r * r, power(14));
             s += material.diffuse * (256 - ambient) * nl + 256 * material.specular * r;
         }
-        return static_cast<int>(std::min<Int128>(255, half_up_of(s, power(22))));
+        return {level(s), static_cast<std::uint8_t>(level(s) - level(unlit))};
     }
 };
 

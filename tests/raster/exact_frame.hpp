@@ -13,13 +13,14 @@ namespace umbra78::raster::test {
 
 struct ExactFrame {
     std::vector<std::uint32_t> depth;
-    std::vector<std::uint8_t> intensity;
+    std::vector<std::uint8_t> intensity, direct;
     DrawCounts counts;  // of patches, blocks, samples, unresolved, tested blocks and splits
 
     ExactFrame(std::span<const Patch> patches, const DrawSetup& setup) : setup_(setup) {
         const std::size_t pixels = std::size_t{1} << (2 * setup.spec.xy_bits);
         depth.assign(pixels, (1u << setup.spec.z_bits) - 1);
         intensity.assign(pixels, 0);
+        direct.assign(pixels, 0);
         for (const Patch& p : patches) draw(p);
     }
 
@@ -161,10 +162,11 @@ private:
             const auto a = (static_cast<std::size_t>(s.py) << setup_.spec.xy_bits) +
                            static_cast<std::size_t>(s.px);
             if (*code > depth[a]) return;
-            const auto level = static_cast<std::uint8_t>(shading.level(s.i, s.j, false));
-            if (*code == depth[a] && level >= intensity[a]) return;
+            const Shade shade = shading.shade(s.i, s.j, false);
+            if (*code == depth[a] && shade >= Shade{intensity[a], direct[a]}) return;
             depth[a] = *code;
-            intensity[a] = level;
+            intensity[a] = shade.intensity;
+            direct[a] = shade.direct;
         });
     }
 

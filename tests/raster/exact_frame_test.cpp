@@ -83,8 +83,10 @@ void expect_the_texts_frame(const MachineSpec& spec, const Patches& patches, con
     };
     same("depth", expected.depth, drawn.depth());
     same("intensity", expected.intensity, drawn.intensity());
+    same("direct", expected.direct, drawn.direct());
     same("depth, hidden blocks left out", expected.depth, skipping.depth());
     same("intensity, hidden blocks left out", expected.intensity, skipping.intensity());
+    same("direct, hidden blocks left out", expected.direct, skipping.direct());
     total.patches += counts.patches;
     total.samples += counts.samples;
     total.blocks += counts.blocks;

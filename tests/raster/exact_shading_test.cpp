@@ -49,7 +49,7 @@ std::array<Component, 3> random_world_block(Random& random, std::uint64_t kind) 
 TEST(Shading, LevelsAreTheTextsBitForBit) {
     Random random;
     std::array<int, 256> seen{};
-    int unlit = 0, highlights = 0;
+    int unlit = 0, highlights = 0, cut = 0;
     for (int n = 0; n < effort(20000); ++n) {
         const auto world = random_world_block(random, random.bits() % 8);
         const Material material{static_cast<std::int32_t>(random.between(0, 255)),
@@ -63,9 +63,17 @@ TEST(Shading, LevelsAreTheTextsBitForBit) {
         for (int k = 0; k < 6; ++k) {
             const int i = static_cast<int>(random.bits() % 16);
             const int j = static_cast<int>(random.bits() % 16);
-            const int lit = shading.level(i, j, false), dark = shading.level(i, j, true);
-            ASSERT_EQ(lit, exact.level(i, j, false)) << "case " << n << ", leaf " << i << ", " << j;
-            ASSERT_EQ(dark, exact.level(i, j, true)) << "case " << n << ", leaf " << i << ", " << j;
+            const Shade in_light = shading.shade(i, j, false);
+            const Shade in_shadow = shading.shade(i, j, true);
+            const Shade expected = exact.shade(i, j, false);
+            ASSERT_EQ(in_light, expected) << "case " << n << ", leaf " << i << ", " << j;
+            ASSERT_EQ(in_shadow, exact.shade(i, j, true))
+                << "case " << n << ", leaf " << i << ", " << j;
+            // The direct share is what a shadow takes away, whatever is cut at 255.
+            ASSERT_EQ(in_light.intensity - in_light.direct, in_shadow.intensity);
+            ASSERT_EQ(in_shadow.direct, 0);
+            const int lit = in_light.intensity, dark = in_shadow.intensity;
+            cut += lit == 255 ? 1 : 0;
             ++seen[static_cast<std::size_t>(lit)];
             unlit += lit == dark ? 1 : 0;
             highlights += lit - dark > material.diffuse ? 1 : 0;
@@ -73,6 +81,7 @@ TEST(Shading, LevelsAreTheTextsBitForBit) {
     }
     EXPECT_GT(std::count_if(seen.begin(), seen.end(), [](int c) { return c > 0; }), 250);
     EXPECT_GT(unlit, 1000);
+    EXPECT_GT(cut, 1000);
     EXPECT_GT(highlights, effort(1000));
 }
 
@@ -84,7 +93,7 @@ TEST(Shading, LightAlongTheSurfaceIsNoLight) {
     const Material shiny{200, 255, 0};
     const auto level = [&](const UnitVector& light, const UnitVector& viewer) {
         const ShadingSpec spec{64, {false, light, {}}, {false, viewer, {}}};
-        return int{BlockShading(world, spec, shiny).level(4, 9, false)};
+        return int{BlockShading(world, spec, shiny).shade(4, 9, false).intensity};
     };
     const UnitVector above{0, 0, 1 << 14}, grazing{-(1 << 14), 0, 1};
     // N.L = 0: no light, though the mirror direction is the viewer's.
@@ -97,7 +106,7 @@ TEST(Shading, LightAlongTheSurfaceIsNoLight) {
     for (int shininess = 0; shininess <= 8; ++shininess) {
         const Material m{0, 255, shininess};
         const ShadingSpec spec{0, {false, low, {}}, {false, {16000, 0, 3528}, {}}};
-        EXPECT_EQ(BlockShading(world, spec, m).level(0, 0, false), 0) << shininess;
+        EXPECT_EQ(BlockShading(world, spec, m).shade(0, 0, false).intensity, 0) << shininess;
     }
     // N.V = 0 is seen from the front: nothing is turned.
     EXPECT_EQ(level(above, {1 << 14, 0, 0}), 200);
@@ -113,7 +122,7 @@ TEST(Shading, AHighlightIsNoBrighterThanTheMaterials) {
         const UnitVector light = random_unit(random);
         const Material m{0, 200, 8};
         const ShadingSpec spec{0, {false, light, {}}, {false, light, {}}};
-        const int level = BlockShading(world, spec, m).level(7, 8, false);
+        const int level = BlockShading(world, spec, m).shade(7, 8, false).intensity;
         ASSERT_LE(level, 200);
         full += level == 200 ? 1 : 0;
     }

@@ -39,7 +39,7 @@ Patches crowded_scene() {
 
 struct Picture {
     std::vector<std::uint16_t> depth;
-    std::vector<std::uint8_t> intensity;
+    std::vector<std::uint8_t> intensity, direct;
 };
 
 // In 256 x 256; a view of each kind.
@@ -60,11 +60,12 @@ protected:
         Drawing<> stage(spec);
         stage.materials = {{215, 90, 5}, {90, 0, 0}, {160, 80, 3}};
         *counts = stage.draw(patches, view, sampling, &light, order, may_hide);
-        return {stage.depth(), stage.intensity()};
+        return {stage.depth(), stage.intensity(), stage.direct()};
     }
     static void expect_equal(const Picture& a, const Picture& b) {
         expect_equal_buffers("depth", 256, a.depth, b.depth);
         expect_equal_buffers("intensity", 256, a.intensity, b.intensity);
+        expect_equal_buffers("direct", 256, a.direct, b.direct);
     }
 };
 

@@ -60,11 +60,12 @@ TEST(Shading, IsLambertsCosineOnBothSides) {
         const Vector3 light = unit3({0.6, 0.7, 0.2}), viewer = unit3({0.5, 0.1, -1});
         const ShadingSpec spec{77, {false, q14(light), {}}, {false, q14(viewer), {}}};
         const double expected = level_of(matt, 77 / 256.0, normal, light, viewer);
-        const int front = BlockShading(flat(u, v), spec, matt).level(3, 9, false);
+        const int front = BlockShading(flat(u, v), spec, matt).shade(3, 9, false).intensity;
         EXPECT_NEAR(front, expected, 0.6) << degrees;
-        EXPECT_EQ(BlockShading(flat(v, u), spec, matt).level(3, 9, false), front)
+        EXPECT_EQ(BlockShading(flat(v, u), spec, matt).shade(3, 9, false).intensity, front)
             << "turned over, " << degrees << " degrees";
-        EXPECT_EQ(BlockShading(flat(u, v), spec, matt).level(3, 9, true), (200 * 77 + 128) / 256)
+        EXPECT_EQ(BlockShading(flat(u, v), spec, matt).shade(3, 9, true).intensity,
+                  (200 * 77 + 128) / 256)
             << "in shadow: ambient alone";
     }
 }
@@ -79,10 +80,10 @@ TEST(Shading, TheHighlightIsBrightestInTheMirrorDirection) {
         const double angle = degrees * 3.14159265358979 / 180;
         const Vector3 normal{std::sin(angle), 0, std::cos(angle)};
         const Vector3 across{std::cos(angle), 0, -std::sin(angle)};
-        const int level = BlockShading(flat(across, up), spec, shiny).level(0, 0, false);
+        const int level = BlockShading(flat(across, up), spec, shiny).shade(0, 0, false).intensity;
         const double expected = level_of(shiny, 0, normal, light, {-0.70710678, 0, 0.70710678});
         EXPECT_NEAR(level, expected, 1.5) << degrees;
-        EXPECT_EQ(BlockShading(flat(across, up), spec, shiny).level(0, 0, true), 0);
+        EXPECT_EQ(BlockShading(flat(across, up), spec, shiny).shade(0, 0, true).intensity, 0);
         if (level > best) {
             best = level;
             best_degrees = degrees;

@@ -183,14 +183,19 @@ TEST(Contract, TheAp120bsHostSendsSixteenBits) {
                  "its host sends Z codes of up to 16 bits");
 }
 
-TEST(Contract, TheCorrectFormsStoreHasIntensities) {
+TEST(Contract, APicturesStoreHasIntensitiesAndDirectShares) {
     Inputs i;
     const hw::TransformUnit unit(i.s.machine, i.matrix);
     const LightMap<Depth16> map = light_map(i.maps.light, i.s);
-    hw::FrameStore<Depth16> depth_alone = i.observer.store;
-    depth_alone.intensity = {};
-    EXPECT_DEATH(CorrectSink<Depth16>(depth_alone, map, unit, i.s, i.mask),
-                 "the observer's store has no intensities");
+    using Store = hw::FrameStore<Depth16>;
+    for (const auto plane : {&Store::intensity, &Store::direct}) {
+        Store without = i.observer.store;
+        without.*plane = {};
+        EXPECT_DEATH(CorrectSink<Depth16>(without, map, unit, i.s, i.mask),
+                     "the observer's store has no intensities or direct shares");
+        EXPECT_DEATH(raster::PictureSink<Depth16>{without},
+                     "the store has no intensities or direct shares");
+    }
 }
 
 // --- times --------------------------------------------------------------------------------------
@@ -302,19 +307,17 @@ TEST(FilterContract, TheLowPassesPlanesLieApart) {
 }
 
 TEST(FilterContract, TheCompositesPlanesAndDensity) {
-    std::vector<std::uint8_t> intensity(16), mask(16), out(16);
-    for (const int density : {0, 256}) composite(intensity, mask, density, out);
+    std::vector<std::uint8_t> level(16), share(16), mask(16), out(16);
+    for (const int density : {0, 256}) composite(level, share, mask, density, out);
     for (const int density : {-1, 257})
-        EXPECT_DEATH(composite(intensity, mask, density, out), "density is 0..256") << density;
-    const char* const why = "picture, mask and result have different sizes";
-    out.resize(17);
-    EXPECT_DEATH(composite(intensity, mask, 128, out), why);
-    out.resize(16);
-    mask.resize(15);
-    EXPECT_DEATH(composite(intensity, mask, 128, out), why);
-    mask.resize(16);
-    intensity.resize(17);
-    EXPECT_DEATH(composite(intensity, mask, 128, out), why);
+        EXPECT_DEATH(composite(level, share, mask, density, out), "density is 0..256") << density;
+    for (std::vector<std::uint8_t>* const plane : {&level, &share, &mask, &out})
+        for (const std::size_t size : {15u, 17u}) {
+            plane->resize(size);
+            EXPECT_DEATH(composite(level, share, mask, 128, out),
+                         "picture, share, mask and result have different sizes");
+            plane->resize(16);
+        }
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ template <class Depth>
 struct OwnedStore {
     explicit OwnedStore(int xy_bits)
         : depth(std::size_t{1} << (2 * xy_bits)), intensity(depth.size()),
-          store{xy_bits, depth, intensity} {}
+          direct(depth.size()), store{xy_bits, depth, intensity, direct} {}
     OwnedStore(const OwnedStore&) = delete;
     OwnedStore& operator=(const OwnedStore&) = delete;
 
     std::vector<Depth> depth;
-    std::vector<std::uint8_t> intensity;
+    std::vector<std::uint8_t> intensity, direct;
     hw::FrameStore<Depth> store;
 };
 

@@ -74,15 +74,16 @@ template <class Depth = hw::Depth16>
 class Drawing {
 public:
     explicit Drawing(const hw::MachineSpec& spec = {})
-        : spec_(spec), depth_(pixels()), intensity_(pixels()) {
+        : spec_(spec), depth_(pixels()), intensity_(pixels()), direct_(pixels()) {
         clear();
     }
 
     void clear() { store().clear(spec_); }
 
-    hw::FrameStore<Depth> store() { return {spec_.xy_bits, depth_, intensity_}; }
+    hw::FrameStore<Depth> store() { return {spec_.xy_bits, depth_, intensity_, direct_}; }
     const std::vector<Depth>& depth() const { return depth_; }
     const std::vector<std::uint8_t>& intensity() const { return intensity_; }
+    const std::vector<std::uint8_t>& direct() const { return direct_; }
     Depth depth_at(int x, int y) const {
         return depth_[static_cast<std::size_t>(y * spec_.size_px() + x)];
     }
@@ -120,7 +121,7 @@ private:
 
     hw::MachineSpec spec_;
     std::vector<Depth> depth_;
-    std::vector<std::uint8_t> intensity_;
+    std::vector<std::uint8_t> intensity_, direct_;
     std::unique_ptr<raster::DrawMemory> memory_ = std::make_unique<raster::DrawMemory>();
 };
 

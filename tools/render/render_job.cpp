@@ -126,8 +126,8 @@ shadow::MemoryLedger RenderJob::replay_memory() const {
 }
 
 const char* name_of(Plane plane) {
-    constexpr const char* names[] = {"observer_z", "light_z",  "intensity", "mask",
-                                     "edges",      "filtered", "picture"};
+    constexpr const char* names[] = {"observer_z", "light_z", "intensity", "direct",
+                                     "mask",       "edges",   "filtered",  "picture"};
     return names[static_cast<std::size_t>(plane)];
 }
 
@@ -152,6 +152,7 @@ std::span<const std::uint8_t> RenderJob::bytes(Plane plane) const {
         [&](const auto& frame) -> std::span<const std::uint8_t> {
             switch (plane) {
                 case Plane::intensity: return frame.observer.intensity;
+                case Plane::direct: return frame.observer.direct;
                 case Plane::mask: return frame.lights[0].mask;
                 case Plane::edges: return frame.lights[0].edges;
                 case Plane::filtered: return frame.lights[0].filtered;

@@ -37,14 +37,15 @@ enum class Plane : std::uint8_t {
     observer_z,
     light_z,
     intensity,
+    direct,    // the light's share of the intensity
     mask,      // as compared
     edges,     // after the edge dequantizing
     filtered,  // after the low-pass
     picture,
 };
 inline constexpr std::array all_planes{Plane::observer_z, Plane::light_z, Plane::intensity,
-                                       Plane::mask,       Plane::edges,   Plane::filtered,
-                                       Plane::picture};
+                                       Plane::direct,     Plane::mask,    Plane::edges,
+                                       Plane::filtered,   Plane::picture};
 const char* name_of(Plane);
 
 class RenderJob {

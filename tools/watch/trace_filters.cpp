@@ -90,16 +90,20 @@ void trace_composite(TraceLog& log, const TracedPixel& at, const RenderJob& job)
     const int intensity = job.bytes(Plane::intensity)[at.address()];
     const int mask = job.bytes(Plane::filtered)[at.address()];
     const int density = at.frame.settings().density_q8;
-    const int left = 255 * 256 - mask * density;
+    const bool whole = at.frame.settings().composite == shadow::Composite::whole;
+    const int share = whole ? intensity : job.bytes(Plane::direct)[at.address()];
+    const std::int64_t taken = std::int64_t{share} * mask * density;
     log.word("I", unsigned_word(intensity, 8), "the observer's intensity");
+    log.word("P", unsigned_word(share, 8),
+             whole ? "all of it is darkened" : "the light's direct share of it");
     log.word("m", unsigned_word(mask, 8), "the filtered mask");
     log.word("d", unsigned_word(density, 9, 8), "the shadow's density");
-    log.word("65280 - m d", unsigned_word(left, 16), "65280 = 255 x 256 is all of the light");
-    log.word("I (...)", unsigned_word(std::int64_t{intensity} * left, 24), "");
+    log.word("P m d", unsigned_word(taken, 24), "what the shadow takes away, of 65280 I");
     const int picture = job.bytes(Plane::picture)[at.address()];
-    log.word("picture", unsigned_word(picture, 8), "half_up of that / 65280");
+    log.word("picture", unsigned_word(picture, 8), "half_up of (65280 I - P m d) / 65280");
     expect_equal("picture",
                  shadow::composite(static_cast<std::uint8_t>(intensity),
+                                   static_cast<std::uint8_t>(share),
                                    static_cast<std::uint8_t>(mask), density),
                  picture);
 }

@@ -21,8 +21,8 @@ WatchedFrame::WatchedFrame(const shadow::Settings& settings,
                            std::vector<hw::Depth32> observer, std::vector<hw::Depth32> light)
     : settings_(settings), matrix_(observer_to_light), observer_depth_(std::move(observer)),
       light_depth_(std::move(light)), intensity_(observer_depth_.size()),
-      mask_(observer_depth_.size()),
-      observer_{settings_.machine.xy_bits, observer_depth_, intensity_},
+      direct_(observer_depth_.size()), mask_(observer_depth_.size()),
+      observer_{settings_.machine.xy_bits, observer_depth_, intensity_, direct_},
       light_{settings_.machine.xy_bits, light_depth_, {}} {}
 
 WatchedFrame::WatchedFrame(const RenderJob& job)
@@ -33,6 +33,8 @@ WatchedFrame::WatchedFrame(const RenderJob& job)
         throw SceneError(std::string(method.no_trace));
     const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
     std::copy(drawn.begin(), drawn.end(), intensity_.begin());
+    const std::span<const std::uint8_t> direct = job.bytes(Plane::direct);
+    std::copy(direct.begin(), direct.end(), direct_.begin());
 }
 
 std::unique_ptr<WatchedFrame::Machine> WatchedFrame::machine() {

@@ -41,7 +41,7 @@ private:
     shadow::Settings settings_;
     hw::MatrixWords matrix_;
     std::vector<hw::Depth32> observer_depth_, light_depth_;
-    std::vector<std::uint8_t> intensity_, mask_;
+    std::vector<std::uint8_t> intensity_, direct_, mask_;
     hw::FrameStore<hw::Depth32> observer_, light_;
 };
 

@@ -38,7 +38,7 @@ inline Busy drawing_by_hand(const raster::DrawCounts& c, bool affine, bool shade
     b.adds += 4 * 48 * c.blocks + (40 + n) * c.samples;
     b.passes += 4 * 36 * c.blocks + (46 + n) * c.samples;
     b.quotient_bits += 4 * 75 * c.blocks + 60 * c.samples;
-    b.accesses += c.samples;
+    b.accesses += 2 * c.samples;
     return b;
 }
 
@@ -50,7 +50,7 @@ inline Busy low_pass_by_hand(std::uint64_t pixels, unsigned passes) {
     return {12 * passes * pixels, 0, 0, 10 * passes * pixels};
 }
 inline Busy composite_by_hand(std::uint64_t pixels) {
-    return {2 * pixels, 2 * pixels, 10 * pixels, 3 * pixels};
+    return {2 * pixels, 2 * pixels, 10 * pixels, 4 * pixels};
 }
 
 inline bool same(const hw::Operations& o, const Busy& b) {

@@ -9,12 +9,13 @@
 
 namespace umbra78::shadow::test {
 
-// visit(name, a's plane, b's plane) for each of the seven.
+// visit(name, a's plane, b's plane) for each of the eight.
 template <class A, class B, class Visit>
 void for_planes(const FrameBuffers<A>& a, const FrameBuffers<B>& b, Visit&& visit) {
     visit("light_z", a.lights[0].map.depth, b.lights[0].map.depth);
     visit("observer_z", a.observer.depth, b.observer.depth);
     visit("intensity", a.observer.intensity, b.observer.intensity);
+    visit("direct", a.observer.direct, b.observer.direct);
     visit("mask", a.lights[0].mask, b.lights[0].mask);
     visit("edges", a.lights[0].edges, b.lights[0].edges);
     visit("filtered", a.lights[0].filtered, b.lights[0].filtered);

@@ -193,7 +193,7 @@ void expect_dark(int dequantize_passes) {
     for (std::size_t k = 0; k < b.picture.size(); ++k) {
         const std::uint8_t expected = b.observer.depth[k] == none ? 0 : darkness;
         ASSERT_EQ(b.lights[0].mask[k], expected) << k;
-        ASSERT_EQ(b.picture[k], composite(b.observer.intensity[k], expected,
+        ASSERT_EQ(b.picture[k], composite(b.observer.intensity[k], b.observer.direct[k], expected,
                                           planned.settings.density_q8))
             << k;
     }

@@ -59,8 +59,8 @@ TEST_F(StageDeathTest, APlaneTooShort) {
     const FrameBuffers<hw::Depth16> whole = frame.buffers;
     LightBuffers<hw::Depth16>& light = frame.buffers.lights[0];
     for (std::span<std::uint8_t>* const plane :
-         {&frame.buffers.picture, &frame.buffers.observer.intensity, &light.mask, &light.edges,
-          &light.filtered}) {
+         {&frame.buffers.picture, &frame.buffers.observer.intensity,
+          &frame.buffers.observer.direct, &light.mask, &light.edges, &light.filtered}) {
         *plane = plane->first(1023);
         expect_death("a plane of bytes");
         frame.buffers = whole;

@@ -75,7 +75,7 @@ const Expected post_process_form{
     {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"}, {"background", "LDO"},
     {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"}, {"dither_size", "LDO"},
     {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
-    {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
+    {"composite", "LDOM"}, {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
 const Expected correct_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
     {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""},
@@ -83,7 +83,7 @@ const Expected correct_form{
     {"bias", "L"}, {"bias_unit", "LD"},  // 192 texels: nothing is tested any more
     {"dither", "L"}, {"dither_size", "L"},
     {"dither_seed", "L"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "L"},
-    {"density", "LDOMP"}, {"form", "LD"}};
+    {"composite", "LDOMP"}, {"density", "LDOMP"}, {"form", "LD"}};
 
 void change_each_setting(PlannedScene base, const Expected& expected) {
     if (umbra78::test::sanitized) base.settings.machine.xy_bits = 5;

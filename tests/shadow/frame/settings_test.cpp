@@ -31,8 +31,8 @@ using A = Anything;
 // Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
 // is a compile error here until it is named, and then a failure below until the table names it too.
 static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
-static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A> &&
-              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A>);
+static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A> &&
+              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A>);
 auto members(const Settings& s) {
     const auto& [machine, registration, lookup, background, dither] =
         static_cast<const ShadowTest&>(s);
@@ -48,7 +48,7 @@ auto members(const Settings& s) {
                            coefficient_rounding, depth_rounding, divide_order, s.sampling,
                            registration, lookup, background, s.bias_q16, s.bias_unit, shape,
                            size_q8, seed, s.dequantize_passes, s.low_pass_passes, s.ambient_q8,
-                           s.density_q8, s.form,
+                           s.composite, s.density_q8, s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
                            light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
                            s.arithmetic, s.array_memory);
@@ -143,7 +143,7 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"bias_unit", 0},       {"dither", 0},
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
-        {"ambient", 77},        {"density", 154},
+        {"ambient", 77},        {"composite", 0},      {"density", 218},
         {"form", 0},            {"clock_ns", 200},
         {"multiply_ns", 160},   {"add_ns", 60},
         {"register_ns", 20},    {"divider", 0},
@@ -204,6 +204,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("video", "off", hw::Video::off));
     all.push_back(named("video", "observer", hw::Video::observer));
     all.push_back(named("video", "all", hw::Video::all));
+    all.push_back(named("composite", "direct", Composite::direct));
+    all.push_back(named("composite", "whole", Composite::whole));
     all.push_back(named("form", "post_process", Form::post_process));
     all.push_back(named("form", "correct", Form::correct));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
@@ -295,6 +297,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"dequantize", {0, 6}},
         {"low_pass", {0, 8}},
         {"ambient", {0, 256}},
+        {"composite", {0, 1}},
         {"density", {0, 256}},
         {"form", {0, 1}},
         {"arithmetic", {0, 1}},

@@ -173,7 +173,7 @@ TEST_F(Program, StudyListsItselfAsJsonToo) {
 
 TEST_F(Program, RenderWritesThePictureAndTheBuffers) {
     const Ran ran =
-        run("render --set density=0.55 " + figures_scene_file + " --out a.png --buffers b --json");
+        run("render --set density=0.85 " + figures_scene_file + " --out a.png --buffers b --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(ran.err, "");
     const json report = parse_json(ran.out);
