@@ -21,6 +21,7 @@ import sys
 from stages.figures import Frame, figure_frames, variants
 from stages.notation import published_hash, to_bytes
 from stages.settings import HW, document, table
+from stages.vectors import STAGES, check
 
 SMALL = 128 * 128
 
@@ -44,6 +45,15 @@ def run(job):
     return figures(job) if job is None else variant(job)
 
 
+def vectors():
+    good = True
+    for stage in STAGES:
+        count, message = check(stage)
+        good = good and message is None
+        print(f"{stage}: {message or f'{count} vectors'}", flush=True)
+    return good
+
+
 def published(text):
     """(variant or "", buffer) to hash"""
     # The figures' rows have three columns before the buffer's name, the variants' one.
@@ -59,7 +69,8 @@ def main():
     parser.add_argument("--machine", type=pathlib.Path, help="hw/MACHINE.md",
                         default=HW / "MACHINE.md")
     parser.add_argument("--all", action="store_true", help="the large variants, too")
-    parser.add_argument("--only", action="append", help="a variant, or `figures`")
+    parser.add_argument("--only", action="append", metavar="NAME",
+                        help="`vectors`, `figures` or a variant, and no others")
     parser.add_argument("--jobs", type=int, default=multiprocessing.cpu_count())
     parser.add_argument("--buffers", type=pathlib.Path, help="write the buffers into this folder")
     options = parser.parse_args()
@@ -73,7 +84,7 @@ def main():
             jobs.append((name, arguments, buffers))
         else:
             left_out |= {key for key in listed if key[0] == name}
-    good = True
+    good = bool(options.only and "vectors" not in options.only) or vectors()
     with multiprocessing.Pool(options.jobs) as pool:
         for result in pool.imap(run, jobs, 1):
             for name, buffer, found, data in result:
@@ -88,7 +99,7 @@ def main():
     missing = set(listed) - left_out
     for key in sorted(missing):
         print(" ".join(key), "is not computed here")
-    if left_out:
+    if left_out and not options.only:
         print(f"{len(left_out)} hashes of large variants were left out (--all)")
     return 0 if good and not missing else 1
 
