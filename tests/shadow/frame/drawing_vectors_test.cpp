@@ -217,18 +217,6 @@ TEST(Vectors, Samples) {
                   lines);
 }
 
-// (intensity, direct) of a leaf: the direct share is what shadow takes away.
-template <class Shading>
-void add_levels(Line& line, const Shading& shading, int i, int j, bool in_shadow) {
-    if constexpr (requires { shading.shade(i, j, in_shadow); }) {
-        const auto s = shading.shade(i, j, in_shadow);
-        line << int{s.intensity} << int{s.direct};
-    } else {
-        const int level = shading.level(i, j, in_shadow);
-        line << level << level - shading.level(i, j, true);
-    }
-}
-
 TEST(Vectors, Shading) {
     Inputs in(9);
     Lines lines;
@@ -269,8 +257,9 @@ TEST(Vectors, Shading) {
         for (const std::int32_t c : spec.viewer.direction) line << c;
         line << spec.ambient_q8 << material.diffuse << material.specular
              << material.shininess << i << j << (in_shadow ? "shadow" : "open") << "->";
-        add_levels(line, raster::BlockShading(place, spec, material), i, j, in_shadow);
-        lines.push_back(line.text());
+        const raster::Shade s =
+            raster::BlockShading(place, spec, material).shade(i, j, in_shadow);
+        lines.push_back((line << int{s.intensity} << int{s.direct}).text());
     }
     check_vectors("shading",
                   {"Section 9: a block's object components x y z (16 each, times 2^6), the light",

@@ -69,6 +69,10 @@ private:
         if (name == "oblique") return perspective({30, 20, 131072}, 393216);
         if (name == "sun") return orthographic({-100, 30, 262144}, 0);
         if (name == "lamp") return lamp({-327680, 262144, 131072}, 262144, 439629);
+        if (name == "near_eye") return perspective({30, 20, 131072}, 98304, 4096, 524288);
+        if (name == "clipped") return orthographic({-100, 0, 65536}, 32768);
+        if (name == "spot") return orthographic({-100, 30, 65536}, 196608);
+        if (name == "inside") return lamp({10000, 60000, 20000}, 131072, 64031, 2048, 524288);
         ADD_FAILURE() << "no view " << name;
         return {};
     }

@@ -85,6 +85,7 @@ std::string buffer_hash(const test::Frame<Depth>& f, const std::string& buffer, 
     if (buffer == "observer_z") return hash(f.buffers.observer.depth, size);
     if (buffer == "light_z") return hash(light.map.depth, size);
     if (buffer == "intensity") return hash(f.buffers.observer.intensity, size);
+    if (buffer == "direct") return hash(f.buffers.observer.direct, size);
     if (buffer == "mask") return hash(light.mask, size);
     if (buffer == "edges") return hash(light.edges, size);
     if (buffer == "filtered") return hash(light.filtered, size);
