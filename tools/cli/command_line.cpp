@@ -54,6 +54,7 @@ struct Command::Paths {
             if (*folder == "-")
                 throw std::runtime_error("cannot make the folder '-': standard output is no "
                                          "folder; name one, or ./- for a folder of this name");
+            if (!folder->empty()) check_folder(*folder);  // empty: not given
             made.push_back(*folder);
         }
         bool taken = false;

@@ -100,6 +100,17 @@ Destination destination_of(const Path& path) {
     return {Kind::file, path, target, now};
 }
 
+void check_folder(const Path& folder) {
+    std::error_code none;
+    Path there = std::filesystem::absolute(folder).lexically_normal();
+    while (!std::filesystem::exists(there, none) && there.has_relative_path())
+        there = there.parent_path();
+    const bool made = std::filesystem::exists(folder, none);
+    if (!std::filesystem::is_directory(there, none)) fail_to_make(folder, ENOTDIR);
+    if (::faccessat(AT_FDCWD, there.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return;
+    made ? fail_to_write(folder, errno) : fail_to_make(folder, errno);
+}
+
 void note_input(const Path& path) { inputs.push_back(path); }
 
 Destination::Kind check_output(const Path& path, std::string_view ending,
@@ -118,6 +129,9 @@ Destination::Kind check_output(const Path& path, std::string_view ending,
     if (std::none_of(folders.begin(), folders.end(), made) &&
         !std::filesystem::is_directory(folder, none))
         fail_to_write(path, std::filesystem::exists(folder, none) ? ENOTDIR : ENOENT);
+    if (std::filesystem::exists(folder, none) &&
+        ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+        fail_to_write(path, errno);
     return to.kind;
 }
 

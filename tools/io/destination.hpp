@@ -32,6 +32,9 @@ Destination destination_of(const Path&);
 // An input of the command: no output is written to it. One that does not exist is not an input.
 void note_input(const Path&);
 
+// Before the work: throws what making the folder, or writing into it, would throw later.
+void check_folder(const Path&);
+
 // Before the work: throws what writing the file would throw later, as far as it can be known.
 // `ending` is that of the file's format (".png"): a name without an ending is taken, too. The
 // folder of the file exists, or is in one of `folders`, which are made before the file.

@@ -10,6 +10,7 @@ namespace umbra78::tools {
 
 [[noreturn]] void fail_to_write(const Path&, std::string_view wrong, std::string_view remedy);
 [[noreturn]] void fail_to_write(const Path&, int error);  // of errno
+[[noreturn]] void fail_to_make(const Path& folder, int error);
 [[noreturn]] void fail_to_read(const Path&, std::string_view wrong);  // of a PGM
 
 // Why a file cannot be read, as the system says it: "Is a directory". "" if it can be.

@@ -80,8 +80,7 @@ void FileSet::make_folder(const Path& path) {
     std::filesystem::create_directories(path, error);
     if (!error && !std::filesystem::is_directory(path))
         error = std::make_error_code(std::errc::not_a_directory);
-    if (error)
-        fail("make the folder", path, error.message(), "name a place that can be written to");
+    if (error) fail_to_make(path, error.value());
 }
 
 void FileSet::write(const Path& path, std::span<const std::byte> content) {
@@ -126,6 +125,11 @@ void fail_to_write(const Path& path, int error) {
                          : error == EISDIR ? "name a file, not a folder"
                                            : "name a place that can be written to";
     fail_to_write(path, std::generic_category().message(error), remedy);
+}
+
+void fail_to_make(const Path& folder, int error) {
+    fail("make the folder", folder, std::generic_category().message(error),
+         "name a place that can be written to");
 }
 
 void fail_to_read(const Path& path, std::string_view wrong) {

@@ -11,7 +11,9 @@ using nlohmann::ordered_json;
 
 ordered_json parse_json(std::string_view text) { return ordered_json::parse(text); }
 
-std::string print(const ordered_json& json) { return json.dump(2) + "\n"; }
+std::string print(const ordered_json& json) {
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
 
 std::string print_line(const ordered_json& json) {
     return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";

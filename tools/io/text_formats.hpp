@@ -15,12 +15,10 @@ namespace umbra78::tools {
 // Throws nlohmann::json::exception if the text is not JSON.
 nlohmann::ordered_json parse_json(std::string_view text);
 
-// Ends with a newline. Throws if a string is not UTF-8.
-std::string print(const nlohmann::ordered_json&);  // indented by two blanks a level
-
-// On one line, which ends with a newline. A string that is not UTF-8, as file names may be, is
-// printed with U+FFFD in place of its wrong bytes.
-std::string print_line(const nlohmann::ordered_json&);
+// Both end with a newline. A string that is not UTF-8, as file names may be, is printed with U+FFFD
+// in place of its wrong bytes.
+std::string print(const nlohmann::ordered_json&);       // indented by two blanks a level
+std::string print_line(const nlohmann::ordered_json&);  // on one line
 
 // A table whose columns also line up in a terminal. The first row is the head. All rows have the
 // same number of cells, and there is at least one row.

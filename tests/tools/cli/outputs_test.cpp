@@ -83,7 +83,7 @@ TEST_F(Outputs, FollowLinksAndKeepTheMode) {
 
 TEST_F(Outputs, AreWrittenInPlaceWhereThereIsNoFile) {
     ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
-    EXPECT_EQ(shell("cat fifo >p.png & $U render s.toml --out fifo >/dev/null; r=$?; wait; "
+    EXPECT_EQ(shell("timeout 60 cat fifo >p.png & $U render s.toml --out fifo >/dev/null; r=$?; wait; "
                     "exit $r"), 0);
     EXPECT_TRUE(is_png("p.png"));
     EXPECT_TRUE(fs::is_fifo(folder / "fifo"));
@@ -143,6 +143,53 @@ TEST_F(Outputs, APictureMayBeInTheFolderOfTheBuffers) {
     EXPECT_FALSE(fs::exists(folder / "d"));
 }
 
+// As another user than root, who may write anywhere.
+TEST_F(Outputs, APlaceThatMayNotBeWrittenIsRefusedBeforeTheWork) {
+    const std::string user =
+        ::geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+    fs::permissions(folder, fs::perms(0777));
+    fs::create_directories(folder / "closed");
+    write("kept.png", "kept");
+    fs::permissions(folder / "closed", fs::perms(0555));
+    fs::permissions(folder / "kept.png", fs::perms(0444));
+    const auto as_user = [&](const std::string& arguments) {
+        return run("--version >/dev/null; " + user + UMBRA78_PROGRAM " " + arguments);
+    };
+    if (as_user("render s.toml").exit_code != 0) GTEST_SKIP() << "no other user can be had here";
+    for (const auto& [arguments, doing] :
+         {std::pair<std::string, std::string>{"render none.toml --out closed/a.png",
+                                              "write 'closed/a.png'"},
+          {"render none.toml --out kept.png", "write 'kept.png'"},
+          {"render none.toml --buffers closed", "write 'closed'"},
+          {"render none.toml --buffers closed/b/c", "make the folder 'closed/b/c'"},
+          {"cycles none.toml --vcd closed/a.vcd", "write 'closed/a.vcd'"},
+          {"animate none.toml --frames 2 --light 0:1 --out closed", "write 'closed'"},
+          {"study error-time --quick --out closed/x", "make the folder 'closed/x'"},
+          {"study merge closed none.jsonl", "write 'closed'"},
+          {"figures --out closed", "write 'closed'"}}) {
+        const Ran ran = as_user(arguments);
+        EXPECT_EQ(ran.exit_code, 1) << arguments;
+        EXPECT_EQ(ran.err, "umbra78: cannot " + doing + ": Permission denied; name a place that "
+                           "can be written to\n") << arguments;
+    }
+    EXPECT_EQ(content(folder / "kept.png"), "kept");
+    fs::permissions(folder / "closed", fs::perms(0755));
+}
+
+// File names are bytes; JSON is UTF-8.
+TEST_F(Outputs, NamesNeedNotBeUtf8) {
+    write("\xFF.toml", scene);
+    for (const char* command : {"render", "animate --frames 2 --light 0:1", "plan"}) {
+        const Ran ran = run(std::string(command) + " --json \xFF.toml");
+        EXPECT_EQ(ran.exit_code, 0) << command << ran.err;
+        EXPECT_EQ(parse_json(ran.out)["scene"], "\xEF\xBF\xBD.toml") << command;
+    }
+    const Ran study =
+        run("study error-time --quick --vary bias=1 --no-host-times --out a \xFF.toml");
+    EXPECT_EQ(study.exit_code, 0) << study.err;
+    EXPECT_EQ(run("study verify a/error-time.csv").exit_code, 0);
+}
+
 // No signal (a shell says 134 for SIGABRT), and not 0 where something was lost.
 TEST_F(Outputs, AClosedOrFullStreamIsAFailure) {
     for (const char* none : {"&-", "/dev/full"}) {
@@ -173,7 +220,7 @@ TEST_F(Outputs, ASignalLeavesNoPartialFile) {
     for (const auto& [signal, number] : {std::pair{"TERM", 15}, {"HUP", 1}}) {
         const std::string line =
             "$U render s.toml --out fifo --buffers b & p=$!; n=0; "
-            "while [ $(ls b 2>/dev/null | grep -c partial) -lt 14 ] && [ $n -lt 3000 ]; do "
+            "while [ $(ls b 2>/dev/null | grep -c partial) -lt 14 ] && [ $n -lt 1000 ]; do "
             "sleep 0.01; n=$((n + 1)); done; kill -" + std::string(signal) + " $p; wait $p";
         EXPECT_EQ(shell(line), 128 + number) << signal;
         EXPECT_EQ(files(), Names{"s.toml"}) << signal;
