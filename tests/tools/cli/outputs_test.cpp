@@ -83,8 +83,8 @@ TEST_F(Outputs, FollowLinksAndKeepTheMode) {
 
 TEST_F(Outputs, AreWrittenInPlaceWhereThereIsNoFile) {
     ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
-    EXPECT_EQ(shell("timeout 60 cat fifo >p.png & $U render s.toml --out fifo >/dev/null; r=$?; wait; "
-                    "exit $r"), 0);
+    EXPECT_EQ(shell("timeout 60 cat fifo >p.png & $U render s.toml --out fifo >/dev/null; r=$?; "
+                    "wait; exit $r"), 0);
     EXPECT_TRUE(is_png("p.png"));
     EXPECT_TRUE(fs::is_fifo(folder / "fifo"));
     if (::mknod((folder / "null").c_str(), S_IFCHR | 0666, 1 << 8 | 3) != 0)
