@@ -4,7 +4,8 @@
 It was written from hw/MACHINE.md and the files of hw/machine alone, by someone who had not seen
 the project's code (except for section 18 and the later variants, whose author had), to find out
 whether that text suffices.  It computes the buffers of the figures and of the variants and compares
-their hashes with those that section 15 lists, then the vectors of vectors/.
+their hashes with those that section 15 lists, after the worked examples of the text and the vectors
+of vectors/.
 Its modules are the document's sections, beside which they should be read: stages/.
 
     python3 machine.py [--machine PATH] [--all] [--only NAME]... [--jobs N] [--buffers DIR]
@@ -18,6 +19,7 @@ import pathlib
 import re
 import sys
 
+from stages import examples
 from stages.figures import Frame, figure_frames, variants
 from stages.notation import published_hash, to_bytes
 from stages.settings import HW, document, table
@@ -27,13 +29,19 @@ SMALL = 128 * 128
 
 
 def figures(_):
-    return [("", name, *hashed(frame, buffer)) for name, frame, buffer in figure_frames()]
+    results = []
+    for name, frame, buffer in figure_frames():
+        results.append(("", name, *hashed(frame, buffer)))
+        if name == "light_z":  # both views are drawn
+            results += [(None, row, None, None) for row in frame.block_counts("figures")]
+    return results
 
 
 def variant(job):
     name, arguments, buffers = job
     frame = Frame(*arguments)
-    return [(name, buffer, *hashed(frame, buffer)) for buffer in buffers]
+    results = [(name, buffer, *hashed(frame, buffer)) for buffer in buffers]
+    return results + [(None, row, None, None) for row in frame.block_counts("variant " + name)]
 
 
 def hashed(frame, buffer):
@@ -45,8 +53,12 @@ def run(job):
     return figures(job) if job is None else variant(job)
 
 
-def vectors():
-    good = True
+def vectors(text):
+    """The vectors, and the worked examples of the text."""
+    count, missing = examples.check(text)
+    print(f"examples: {count} in the text" if not missing else
+          "\n".join(f"examples: not in the text: {example}" for example in missing))
+    good = not missing
     for stage in STAGES:
         count, message = check(stage)
         good = good and message is None
@@ -84,10 +96,15 @@ def main():
             jobs.append((name, arguments, buffers))
         else:
             left_out |= {key for key in listed if key[0] == name}
-    good = bool(options.only and "vectors" not in options.only) or vectors()
+    good = bool(options.only and "vectors" not in options.only) or vectors(text)
     with multiprocessing.Pool(options.jobs) as pool:
         for result in pool.imap(run, jobs, 1):
             for name, buffer, found, data in result:
+                if name is None:  # a row of section 6's table, if it has one of that name
+                    if buffer.split(" | ")[0] in text:
+                        good = good and buffer in text
+                        print(buffer + ("" if buffer in text else "  DIFFERS"))
+                    continue
                 same = found == listed.pop((name, buffer), None)
                 good = good and same
                 row = f"| {name} | {buffer} | `{found}` |" if name else f"{buffer} {found}"

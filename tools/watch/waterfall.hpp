@@ -38,7 +38,8 @@ struct WaterfallOptions {
 };
 
 // Ticks the machine from its present cycle until the points have left it. After the picture the
-// text has each point's cycles, and the closed form's S and L (hw/MACHINE.md, section 16).
+// text has each point's cycles, and the closed form's S and L: longest_stay and sum_of_stays of
+// hw/MACHINE.md, section 16.
 template <class Depth>
 std::string waterfall(shadow::ClockedPostProcess<Depth>& machine,
                       const WaterfallOptions& options = {});

@@ -68,7 +68,7 @@ def action(block, count, affine, s):
 
 class Counts:
     def __init__(self):
-        self.tested = self.splits = self.drawn = self.unresolved = 0
+        self.tested = self.splits = self.drawn = self.samples = self.unresolved = 0
 
 
 def blocks(patch, affine, s, counts):

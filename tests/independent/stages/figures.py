@@ -49,7 +49,7 @@ class Frame:
         world = scene(scene_name)
         self.s, (self.patches, self.fraction) = s, object_words(world)
         self.observer, self.light = view(observer, world), view(light, world)
-        self.made = {}
+        self.made, self.counts = {}, {}
 
     def __getattr__(self, buffer):
         if buffer not in self.made:
@@ -57,7 +57,8 @@ class Frame:
         return self.made[buffer]
 
     def make_light_z(self):
-        self.made["light_z"], _, _ = draw(self.patches, self.fraction, self.light, self.s)
+        self.made["light_z"], _, self.counts["light"] = draw(self.patches, self.fraction,
+                                                             self.light, self.s)
 
     def matrix(self):
         return shadow_matrix(self.observer, self.light, self.s)
@@ -67,7 +68,8 @@ class Frame:
         record = (correct_record(self.light_z, self.matrix(), s, dither_words(s)) if correct
                   else plain_record)
         shading = Shading(self.observer, self.light, self.fraction, s.ambient, MATERIAL)
-        planes, rest, _ = draw(self.patches, self.fraction, self.observer, s, record, shading)
+        planes, rest, self.counts["observer"] = draw(
+            self.patches, self.fraction, self.observer, s, record, shading)
         self.made["observer_z"] = planes
         self.made["intensity"], self.made["direct"], *mask = rest
         if correct:
@@ -98,6 +100,12 @@ class Frame:
     def make_picture(self):
         self.made["picture"] = (self.intensity if self.s.form == "correct" else
                                 composite(self.intensity, self.direct, self.filtered, self.s))
+
+    def block_counts(self, name):
+        """Section 6's rows of what has been drawn"""
+        for which, c in self.counts.items():
+            yield (f"| {name}, {which} | {len(self.patches)} | {c.tested} | {c.splits} | "
+                   f"{c.drawn} | {c.samples} |")
 
     def bytes_a_value(self, buffer):
         return self.s.z_bytes if buffer in ("observer_z", "light_z") else 1

@@ -29,7 +29,10 @@ def draw(patches, object_fraction, view, s, record=None, shading=None):
             for sample in samples(grids, s):
                 px, py = sample[:2]
                 code, p = z_code(sample[4], s), py * s.size_px + px
-                if code is None or code > planes[p]:
+                if code is None:
+                    continue
+                counts.samples += 1
+                if code > planes[p]:
                     continue
                 if not record:
                     planes[p] = code

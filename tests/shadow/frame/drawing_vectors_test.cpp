@@ -197,7 +197,8 @@ TEST(Vectors, Samples) {
         s.z_bits = static_cast<int>(in.between(4, 24));
         const std::int64_t half = s.depth_offset() << raster::depth_guard(s);
         const std::int64_t at = k % 3 == 0 ? half : k % 3 == 1 ? -half : in.word(20);
-        const std::int64_t z = at + in.between(-200, 200);
+        std::int64_t z = at + in.between(-200, 200);
+        if (k % 6 == 0) z = half - (std::int64_t{1} << raster::depth_guard(s));  // the background's
         std::uint32_t code = 0;
         Line line;
         line << "code" << s.xy_bits << s.z_bits << z << "->";

@@ -81,19 +81,28 @@ TEST(Vectors, ShadowTest) {
                               : in.between(-edge, edge - 1);
         };
         hw::Point p{place(), place(), 0, hw::DivideStatus::ok};
+        hw::DitherWords d{static_cast<std::int32_t>(in.between(-2, 2)),
+                          static_cast<std::int32_t>(in.between(-2, 2))};
+        if (k % 12 == 0) {  // just outside in one direction, deeper than all, no dither
+            t.lookup = shadow::Lookup::bilinear;
+            t.background = shadow::Background::blend;
+            p.x = k % 24 == 0 ? -edge - 1 : edge;
+            p.y = in.between(-edge, edge - 1);
+            if (k % 48 == 0) std::swap(p.x, p.y);
+            d = {0, 0};
+        }
         // A code about that of the texel below, or about an end of its range.
         const auto at = [&](std::int64_t v) {
             return static_cast<int>(std::clamp<std::int64_t>((v + edge) >> t.machine.fraction_bits,
                                                              0, 15));
         };
         const std::int64_t near = map_code(at(p.x), at(p.y), t.machine);
-        const std::int64_t code = k % 7 == 0   ? t.machine.deepest_drawn() + in.between(-1, 1)
+        const std::int64_t code = k % 12 == 0  ? t.machine.deepest_drawn()  // deeper than all
+                                  : k % 7 == 0 ? t.machine.deepest_drawn() + in.between(-1, 1)
                                   : k % 7 == 1 ? in.between(-1, 1)
                                   : k % 7 == 2 ? near + in.between(-1, 1)
                                                : in.between(0, t.machine.deepest_drawn());
         p.z = code - t.machine.depth_offset();
-        const hw::DitherWords d{static_cast<std::int32_t>(in.between(-2, 2)),
-                                static_cast<std::int32_t>(in.between(-2, 2))};
         const bool shadow =
             shadow::in_shadow(shadow::light_map<hw::Depth32>(store, t), p, d);
         lines.push_back((Line() << "test" << t.machine.z_bits << t.machine.fraction_bits
