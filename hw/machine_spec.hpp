@@ -62,7 +62,7 @@ struct MachineSpec {
     constexpr std::int64_t depth_offset() const { return std::int64_t{1} << (z_bits - 1); }
 };
 
-// Which width, if any, keeps the formats from closing.
+// Which width, if any, is out of its range.
 enum class SpecStatus : std::uint8_t {
     ok, xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers, max_accumulator_bits
 };

@@ -6,7 +6,8 @@
 // The light map holds the Z code of what the light sees first. The bias is already taken off in
 // the matrix, so a point is in shadow when its own code is greater; equal is lit. Texels outside
 // the map's edge count as background. The terms are those of shadow/light_place.hpp.
-// This is the definition: every other form of the lookup is tested against it or its model.
+// This is the definition: every other form of the lookup is tested against it, or against a slow
+// model of it in the tests.
 #pragma once
 
 #include "hw/frame_store.hpp"
@@ -43,7 +44,7 @@ bool in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherW
     const hw::MachineSpec& spec = map.spec;
     const LightPlace at = light_place(spec, p, d);
     if (!at.inside) return false;
-    if (!interpolates(spec, map.lookup)) {  // whose fractions nobody reads
+    if (!interpolates(spec, map.lookup)) {  // nearest lookup does not use the fractions
         const TexelPlace t = texel_place(spec, false, at.x, at.y);
         return at.code > map.texel(t.x, t.y);
     }

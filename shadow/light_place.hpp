@@ -8,7 +8,7 @@
 //              blend = (2^F - fy) ((2^F - fx) z00 + fx z10) + fy ((2^F - fx) z01 + fx z11)
 //
 // A point outside the volume, or without a quotient, is lit (Williams 1978, p. 272). Z is
-// interpolated, never the result of the comparison (that is what the filters do).
+// interpolated, and not the result of the comparison, which the filters smooth later.
 // In: X and Y in texels from the map's centre with F = fraction_bits (0..12) fraction bits, Z in
 // quanta from the middle of its range. Out: texels 0 .. size_px - 1 inside the map; the four of
 // bilinear lookup reach from -1 to size_px. `blend` is exact, at most z_bits + 2 F <= 48 bits.

@@ -161,7 +161,7 @@ const Setting* find_setting(std::string_view key) {
     return nullptr;
 }
 
-bool closes(const Settings& settings) {
+bool can_be_built(const Settings& settings) {
     return hw::check(settings.machine) == hw::SpecStatus::ok &&
            hw::check(settings.timing) == hw::TimingStatus::ok && method_can(settings);
 }

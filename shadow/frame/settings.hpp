@@ -1,8 +1,9 @@
 // Settings: every width and choice of the machine in one value, and the table that names them.
 //
-// A setting's key, unit, range, default and meaning are written in this table and nowhere else: the
-// scene file, `--set`, `--help` and the documentation read it. A setter stores what it is given:
-// a value from outside is compared with min and max first.
+// A setting's key, unit, range and meaning are written in this table: the scene file, `--set`,
+// `--help` and the documentation read it. Its default is the initializer of its member. The parts
+// check their own ranges again (hw::check); a test holds the two equal. A setter stores what it is
+// given: a value from outside is compared with min and max first.
 #pragma once
 
 #include "hw/ap120b/processor.hpp"
@@ -57,6 +58,6 @@ const Setting* find_setting(std::string_view key);
 
 // Whether a machine can be built with these settings: the machine's widths, the parts' times, and a
 // method that can do what they ask (shadow/frame/methods.hpp).
-bool closes(const Settings& settings);
+bool can_be_built(const Settings& settings);
 
 }  // namespace umbra78::shadow

@@ -1,7 +1,7 @@
 // A frame's buffers by name: their hashes, their files, and the first place where two differ.
 //
-// A hash is FNV-1a-64 over the values, row by row from the top, high byte first, with the format
-// in its name: "u16be:512x512:fnv1a64:0123456789abcdef". Z is u16be up to 16 bits, else u32be;
+// A hash is FNV-1a-64 over the values, row by row from the top, high byte first, preceded by
+// the format: "u16be:512x512:fnv1a64:0123456789abcdef". Z is u16be up to 16 bits, else u32be;
 // everything else is u8.
 #pragma once
 

@@ -1,4 +1,4 @@
-// An interruption lets what is at hand be finished.
+// Lets the current piece of work finish when the user interrupts the program.
 #pragma once
 
 #include <atomic>
@@ -6,7 +6,7 @@
 
 namespace umbra78::tools {
 
-// While it lives SIGINT and SIGTERM are noted, no more. One at a time.
+// While an object exists, SIGINT and SIGTERM only set asked(). At most one object may exist.
 class Interruptible {
 public:
     Interruptible() : interrupt_(std::signal(SIGINT, ask)), terminate_(std::signal(SIGTERM, ask)) {}

@@ -1,5 +1,5 @@
 // A contact sheet: gray pictures in a grid on a dark ground, a caption of a line or two under
-// each. Units are pixels of the sheet; the font is stb_easy_font, ASCII, at a whole scale.
+// each. Units are pixels of the sheet; the font is stb_easy_font, ASCII, scaled by a whole number.
 #pragma once
 
 #include "tools/io/files.hpp"

@@ -8,7 +8,7 @@
 
 namespace umbra78::tools {
 
-// Optimal string alignment (Damerau 1964), the whole table: names are short.
+// Optimal string alignment (Damerau 1964). The whole table is kept, since names are short.
 int edit_distance(std::string_view a, std::string_view b) {
     const std::size_t width = b.size() + 1;
     std::vector<int> cost((a.size() + 1) * width);
@@ -29,7 +29,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string suggest(std::string_view word, std::span<const std::string_view> known) {
-    constexpr std::size_t longest = 64;  // what is longer is no misspelling
+    constexpr std::size_t longest = 64;  // what is longer is not treated as a misspelling
     word = word.substr(0, longest);
     const auto nearest = std::min_element(
         known.begin(), known.end(), [&](std::string_view a, std::string_view b) {

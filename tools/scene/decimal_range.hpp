@@ -2,7 +2,7 @@
 // 0.75, 1, and "0:1:0.1" holds 0.3, not the double nearest to it.
 //
 // The three numbers are brought to integers of the same power of ten by fixed/decimal.hpp, so the
-// grammar is that of every number of a scene, without an exponent. No exceptions.
+// numbers are written as in a scene file, but without an exponent. Throws nothing.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A FirstError as an exception: one line that says where and what is wrong, and the remedy. The
-// program throws it; reading without exceptions is read_scene().
+// The exception for a wrong scene: one line that says where and what is wrong, and the remedy.
+// Code that is compiled without exceptions calls read_scene() instead, which reports the same line.
 #pragma once
 
 #include <stdexcept>

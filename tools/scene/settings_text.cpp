@@ -79,7 +79,7 @@ void apply_settings(const TomlNode& table, Settings& settings, FirstError& error
         const Setting* setting = shadow::find_setting(node.key);
         if (!setting || error.any()) continue;
         setting->set(settings, read(*setting, node, called(node), error));
-        if (!shadow::closes(settings))  // a width with gaps in its range
+        if (!shadow::can_be_built(settings))  // a width with gaps in its range
             report(error, node,
                    fmt::format("{} is {}, which the machine cannot be built with ({})",
                                called(node), node.text, setting->meaning));

@@ -8,7 +8,7 @@
 
 // toml++ 3.3 asserts that a key begins like a key (under clang it even assumes so). The key of
 // "[=]" does not, and without the assertion toml++ reports that well: so its assertions are off in
-// every build.
+// every build: NDEBUG is undefined so that clang does not assume them, and TOML_ASSERT is empty.
 #undef NDEBUG
 // The library that its package builds throws, so its sources are compiled here, without exceptions.
 #undef TOML_SHARED_LIB
@@ -129,7 +129,7 @@ TomlNode parse_toml(std::string_view text, const std::string& name, FirstError& 
     if (parsed.failed()) {
         std::string what(parsed.error().description());
         std::replace(what.begin(), what.end(), '\n', ' ');
-        error.report(fmt::format("{}:{}: this is no TOML: {}", name,
+        error.report(fmt::format("{}:{}: this is not valid TOML: {}", name,
                                  parsed.error().source().begin.line, what));
         return {.where = name};
     }
@@ -157,7 +157,8 @@ TomlNode parse_override(const std::string& key_and_value, FirstError& error) {
         FirstError no_toml;
         TomlNode table = parse_toml(fmt::format("v = {}", value), where, no_toml);
         if (no_toml.any()) {
-            error.report(where + ": the value is no TOML; write [x, y, z], a number or a name");
+            error.report(where + ": the value is not valid TOML; write [x, y, z], a number or a "
+                                 "name");
             return node;
         }
         node = std::move(table.children.front());

@@ -7,7 +7,8 @@
 // study can be cut into shards, interrupted and resumed. Rows hold the same values on every
 // computer, except host times, whose columns end in "_host_ms" and can be left out.
 //
-// A new study is a folder tools/study/NAME/ and a line in tools/cli/study_list.cpp.
+// A new study is a folder tools/study/NAME/, its room in CMakeLists.txt, and its two lines in
+// tools/cli/study_list.hpp and study_list.cpp.
 #pragma once
 
 #include "tools/study/report.hpp"

@@ -43,10 +43,10 @@ TEST(Methods, TheSettingsChooseARow) {
         EXPECT_EQ(method_of(s), &m) << m.name;
         s.machine.z_bits = m.max_z_bits;
         EXPECT_TRUE(method_can(s)) << m.name;
-        EXPECT_TRUE(closes(s)) << m.name;
+        EXPECT_TRUE(can_be_built(s)) << m.name;
         s.machine.z_bits = m.max_z_bits + 1;
         EXPECT_FALSE(method_can(s)) << m.name;
-        EXPECT_FALSE(closes(s)) << m.name;
+        EXPECT_FALSE(can_be_built(s)) << m.name;
     }
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "correct", "ap120b"}));
     Settings none;

@@ -329,7 +329,7 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
     int drawn = 0;
     const auto draw = [&](Settings s, std::string_view what) {
         s.machine.xy_bits = std::min(s.machine.xy_bits, 5);
-        if (!closes(s)) return;
+        if (!can_be_built(s)) return;
         const test::FigureScene figures;
         test::Frame<hw::Depth32> frame(s.machine, figures.patches.size());
         const FrameStatus status = frame.draw(figures.scene(), s);
@@ -360,25 +360,25 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
 // What the machine's checks refuse within the table's ranges.
 TEST(SettingsTable, GapsAreRefused) {
     Settings s;
-    EXPECT_TRUE(closes(s));
+    EXPECT_TRUE(can_be_built(s));
     for (const int banks : {2, 3}) {
         s.timing.light_banks = banks;
-        EXPECT_FALSE(closes(s)) << banks;
+        EXPECT_FALSE(can_be_built(s)) << banks;
     }
     s = {};
     s.timing.clock_ns = s.timing.register_ns;
-    EXPECT_FALSE(closes(s));
+    EXPECT_FALSE(can_be_built(s));
     s = {};
     s.machine.multipliers = 3;
-    EXPECT_FALSE(closes(s));
+    EXPECT_FALSE(can_be_built(s));
     s = {};
     s.arithmetic = Arithmetic::ap120b;
-    EXPECT_TRUE(closes(s));
+    EXPECT_TRUE(can_be_built(s));
     s.machine.z_bits = 17;
-    EXPECT_FALSE(closes(s)) << "the host sends 16 bits";
+    EXPECT_FALSE(can_be_built(s)) << "the host sends 16 bits";
     s.machine.z_bits = 16;
     s.form = Form::correct;
-    EXPECT_FALSE(closes(s));
+    EXPECT_FALSE(can_be_built(s));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Files: what is written is read back, byte for byte where the format fixes the bytes; a failure
-// names the file and leaves nothing behind.
+// Files: PGM and PNG are read back, NPY is compared byte for byte; a failure names the file and
+// leaves nothing behind.
 #include "tools/io/files.hpp"
 
 #include "tests/support/error_of.hpp"

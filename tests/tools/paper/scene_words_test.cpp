@@ -1,4 +1,4 @@
-// The core's copy of the figures' scene is the scene file's.
+// shadow/frame/paper_scene_words.hpp equals what tools/scenes/figures.toml yields.
 #include "tools/paper/scene_words.hpp"
 
 #include "tests/support/error_of.hpp"

@@ -1,4 +1,4 @@
-// Malformed scene files: their grammar and their surfaces.
+// Malformed scene files: grammar, the scene as a whole, surfaces and materials.
 #include "tests/tools/scene/malformed.hpp"
 
 namespace umbra78::tools::test {
@@ -7,25 +7,25 @@ namespace {
 TEST(SceneErrors, TextThatIsNoToml) {
     expect_messages({
         {"light = \n",
-         "a.toml:1: this is no TOML: Error while parsing key-value pair: expected value, "
+         "a.toml:1: this is not valid TOML: Error while parsing key-value pair: expected value, "
          "saw '\\n'"},
         {"[=]\n",
-         "a.toml:1: this is no TOML: Error while parsing key: expected bare key starting "
+         "a.toml:1: this is not valid TOML: Error while parsing key: expected bare key starting "
          "character or string delimiter, saw '='"},
         {"[light\n",
-         "a.toml:1: this is no TOML: Error while parsing table header: expected ']', saw "
+         "a.toml:1: this is not valid TOML: Error while parsing table header: expected ']', saw "
          "'\\n'"},
         {"[light]\nazimuth = 1\nazimuth = 2\n",
-         "a.toml:3: this is no TOML: Error while parsing key-value pair: cannot redefine "
+         "a.toml:3: this is not valid TOML: Error while parsing key-value pair: cannot redefine "
          "existing integer 'azimuth'"},
         {"[light]\nazimuth = 1 elevation = 2\n",
-         "a.toml:2: this is no TOML: Error while parsing key-value pair: expected a comment "
+         "a.toml:2: this is not valid TOML: Error while parsing key-value pair: expected a comment "
          "or whitespace, saw 'e'"},
         {"[light]\nazimuth = 99999999999999999999\n",
-         "a.toml:2: this is no TOML: Error while parsing decimal integer: "
+         "a.toml:2: this is not valid TOML: Error while parsing decimal integer: "
          "'99999999999999999999' is not representable in 64 bits"},
         {"[light]\nkind = \"\\q\"\n",
-         "a.toml:2: this is no TOML: Error while parsing string: unknown escape sequence "
+         "a.toml:2: this is not valid TOML: Error while parsing string: unknown escape sequence "
          "'\\q'"},
     });
 }

@@ -132,7 +132,7 @@ TEST(ViewErrors, SetOverrides) {
          "--set light.azimuth=400: 'azimuth' in [light] is 400; its range is -360 .. 360",
          {"light.azimuth=400"}},
         {ball_and_light,
-         "--set light.target=[0, 1: the value is no TOML; write [x, y, z], a number or a "
+         "--set light.target=[0, 1: the value is not valid TOML; write [x, y, z], a number or a "
          "name",
          {"light.target=[0, 1"}},
         {ball_and_light,

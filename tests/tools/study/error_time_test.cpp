@@ -1,4 +1,5 @@
-// The study of error against run time: a row of shared drawing equals that of a frame drawn alone.
+// Error against run time: a row measured from a drawing that cases share equals that of a frame
+// drawn alone.
 #include "tools/cli/study_list.hpp"
 #include "tools/study/error_time/error_time.hpp"
 

@@ -26,7 +26,7 @@ Row measured(const Case& c) {
     return row;
 }
 
-// Three quarters of a texel a pixel beats as a quarter backwards.
+// 0.7 texels a pixel beat as -0.3: the pattern runs backwards.
 TEST(GridBeat, FollowsFromTheTwoGrids) {
     GridBeat beat{{0.7, 0.1}, {0.05, 1.2}, 3, 1};
     EXPECT_NEAR(beat.predicted().u, -0.3, 1e-12);

@@ -1,5 +1,5 @@
-// The measures on inputs whose answer is known, and negative controls: dithers that are no good
-// must be told from one that is.
+// The measures on inputs whose answer is known, and negative controls: the measures must tell bad
+// dithers from a good one.
 #include "tools/truth/metrics.hpp"
 
 #include "tests/tools/truth/half_lit.hpp"

@@ -1,4 +1,5 @@
-// The watch reports the same whenever it is attached, and the reader's pixel is the one released.
+// The watch reports the same no matter when it is attached, and the reader's pixel is the one
+// released.
 #include "tools/watch/machine_watch.hpp"
 
 #include "tests/support/effort.hpp"

@@ -1,4 +1,5 @@
-// What the tests of the instruments share: words of a trace by name, and random machines.
+// What the tests of traces, waterfalls and waveforms share: words of a trace by
+// name, and random machines.
 #pragma once
 
 #include "tests/shadow/clocked/clocked_frames.hpp"

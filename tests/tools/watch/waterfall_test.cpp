@@ -1,4 +1,4 @@
-// The waterfall: every letter is where the rules of valid and ready put the point.
+// The waterfall: every character is where the rules of valid and ready put the point.
 #include "tools/watch/waterfall.hpp"
 
 #include "tests/support/effort.hpp"

@@ -64,7 +64,7 @@ bool applies(const shadow::Profile& profile, const shadow::Settings& settings) {
     shadow::method_of(settings);
     return its_method != nullptr && method != nullptr &&
            its_method->arithmetic == method->arithmetic &&
-           (!method->uses_transform_unit || same_passes) && shadow::closes(both);
+           (!method->uses_transform_unit || same_passes) && shadow::can_be_built(both);
 }
 
 void set_cycles(Row& row, const std::string& prefix, const RenderJob& job) {

@@ -1,4 +1,4 @@
-// What the moire study draws and measures: a slanted plane besides the scene's own surfaces, the
+// What the moire study draws and measures: a slanted plane as well as the scene's own surfaces, the
 // beat of the two grids, the shadow with a bad noise generator, and the spectrum of the error.
 #pragma once
 
