@@ -11,7 +11,7 @@ Its modules are the document's sections, beside which they should be read: stage
     python3 machine.py [--machine PATH] [--all] [--only NAME]... [--jobs N] [--buffers DIR]
 
 prints the name and hash of each buffer and exits with 1 if one differs.  Without --all the variants
-of more than 128 x 128 pixels are left out, and it takes about half a minute.
+of more than 128 x 128 pixels are left out, and it takes a minute or two.
 """
 import argparse
 import multiprocessing
