@@ -29,12 +29,16 @@ struct RowLog {
     std::size_t cases = 0;
     Shard shard;
     nlohmann::ordered_json inputs;
+    std::string inputs_text;  // the end of the head, which holds the inputs
     std::map<std::size_t, Row> rows;
 };
 
 std::string head_line(const Asked&, Shard);
 std::string row_line(std::size_t index, const Row&);
-RowLog read_row_log(const Path&);  // throws std::runtime_error
+// Throws std::runtime_error. `known` is the first part of the same run, if there is one: inputs of
+// the same text are not parsed again (`inputs` stays empty), because a study may have thousands of
+// values and thousands of parts.
+RowLog read_row_log(const Path&, const RowLog* known = nullptr);
 
 // Appends rows to a log, and begins the log if there is none. A last line that a kill has torn is
 // removed. No other program may append to the log meanwhile. Throws std::runtime_error.

@@ -184,7 +184,7 @@ StudyDone merge_parts(std::span<const std::string> parts, const Path& folder, St
     std::optional<RowLog> all;
     std::map<int, std::string> seen;  // by the shard's number
     for (const std::string& path : parts) {
-        RowLog part = read_row_log(path);
+        RowLog part = read_row_log(path, all ? &*all : nullptr);
         if (all && (part.hash != all->hash || part.shard.n != all->shard.n))
             throw std::runtime_error(fmt::format(
                 "{}: it is of another run than {}; merge the parts of one run", path,
