@@ -5,6 +5,7 @@
 #include "tools/io/console.hpp"
 #include "tools/io/interruptible.hpp"
 #include "tools/render/sequence_manifest.hpp"
+#include "tools/render/frame_warnings.hpp"
 #include "tools/render/plan_text.hpp"
 #include "tools/render/report.hpp"
 #include "tools/scene/azimuth_sweep.hpp"
@@ -84,8 +85,8 @@ private:
             throw;
         }
     }
-    void warn();
     void warn_of_other_frames();
+    void warn(const Warnings&, const std::string& file);
     void draw(int frame);
     void store(const std::string& file, const std::string& inputs);
     void report(int frame, const ordered_json& row) const;
@@ -98,7 +99,8 @@ private:
     std::unique_ptr<LoadedScene> drawn_;  // of the last frame drawn; the job reads its spans
     std::unique_ptr<RenderJob> job_;
     SequenceManifest old_, manifest_;
-    std::set<std::string> warned_;
+    std::set<std::string> warned_;  // keys
+    Warnings warnings_;
     ordered_json rows_ = ordered_json::array();
     int drawn_frames_ = 0;
     Clock::time_point start_ = Clock::now();
@@ -138,21 +140,25 @@ void Sequence::warn_of_other_frames() {
         folder_.string(),
         other.size() == 1 ? "a frame" : fmt::format("{} frames", other.size()),
         other.size() == 1 ? *other.begin() : *other.begin() + " to " + *other.rbegin());
-    warned_.insert(warning);
+    warnings_.push_back({"other_frames", static_cast<double>(other.size()), warning});
     print_warning(warning);
 }
 
-// Prints each warning once for the whole sequence.
-void Sequence::warn() {
-    for (const std::string& warning : scene_->warnings)
-        if (warned_.insert(warning).second) print_warning(warning);
+// Prints each kind of warning once for the whole sequence, with the first frame that it is of.
+void Sequence::warn(const Warnings& warnings, const std::string& file) {
+    for (const Warning& warning : warnings) {
+        if (!warned_.insert(warning.key).second) continue;
+        warnings_.push_back(warning);
+        warnings_.back().line += fmt::format(" (first in {})", file);
+        print_warnings({warnings_.back()});
+    }
 }
 
 void Sequence::draw(int frame) {
     const auto start = Clock::now();
     if (frame > 1) scene_ = load(frame);
-    warn();
     const std::string file = fmt::format("frame_{:04}.png", frame), inputs = hash_inputs(*scene_);
+    warn(scene_->warnings, file);
     const ManifestEntry* there = find_drawn(old_, folder_, file, inputs);
     ordered_json& row = rows_.emplace_back(ordered_json{{"frame", frame}, {"file", file}});
     for (const AzimuthSweep& s : sweeps_)
@@ -169,6 +175,7 @@ void Sequence::draw(int frame) {
         }
         drawn_ = std::move(scene_);
         job_->render();
+        warn(frame_warnings(*drawn_, *job_, {}), file);
         row["kept"] = kept(job_->plan());
         store(file, inputs);
         ++drawn_frames_;
@@ -217,7 +224,7 @@ ordered_json Sequence::to_json() const {
     const std::chrono::duration<double, std::milli> ms = Clock::now() - start_;
     return {{"scene", options_.scene}, {"out", folder_.string()},
             {"frames", rows_},         {"drawn", drawn_frames_},
-            {"warnings", warned_},     {"total_host_ms", ms.count()}};
+            {"warnings", tools::to_json(warnings_)}, {"total_host_ms", ms.count()}};
 }
 
 void Sequence::print_summary() const {

@@ -1,7 +1,7 @@
 // umbra78 plan: prints what a frame needs, what the plan leaves out, why, and the cycles saved.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
-#include "tools/io/console.hpp"
+#include "tools/render/frame_warnings.hpp"
 #include "tools/render/plan_text.hpp"
 #include "tools/render/report.hpp"
 
@@ -29,6 +29,7 @@ struct Planned {
     LoadedScene scene;
     RenderJob job;
     shadow::FrameLedger ledger;
+    Warnings warnings;
 
     explicit Planned(const Options& options)
         : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
@@ -36,6 +37,7 @@ struct Planned {
         if (!refusal.empty()) throw SceneError(std::string(refusal));
         job.render();
         ledger = job.ledger();
+        warnings = frame_warnings(scene, job, {});
     }
     const shadow::FramePlan& plan() const { return job.plan(); }
     shadow::DrawnFrame drawn() const { return {job.inputs(), ledger}; }
@@ -83,7 +85,7 @@ ordered_json to_json(const Options& options, const Planned& planned) {
     json["cycles_of_everything"] = planned.everything();
     json["saved_cycles"] = planned.everything() - total(cycles);
     json["cycle_ns"] = planned.scene.settings.timing.clock_ns;
-    json["warnings"] = planned.scene.warnings;
+    json["warnings"] = tools::to_json(planned.warnings);
     return json;
 }
 
@@ -133,7 +135,7 @@ void print_rows(const Options& options, const Planned& planned) {
 
 void run(const Options& options) {
     const Planned planned(options);
-    for (const std::string& warning : planned.scene.warnings) print_warning(warning);
+    print_warnings(planned.warnings);
     if (options.json) {
         fmt::print("{}", print(to_json(options, planned)));
     } else {

@@ -3,13 +3,14 @@
 #include "tools/cli/commands.hpp"
 #include "tools/io/console.hpp"
 #include "tools/render/cycle_report.hpp"
+#include "tools/render/error_map.hpp"
+#include "tools/render/frame_warnings.hpp"
 #include "tools/render/report.hpp"
 #include "tools/scene/settings_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -19,25 +20,40 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-    std::string scene, out, buffers;
+    std::string scene, out, buffers, error_map;
     std::vector<std::string> set;
     bool json = false, no_truth = false;
 };
+
+constexpr const char* no_truth_because =
+    "free patches: built without Embree; install libembree-dev and build again";
 
 struct Rendered {
     LoadedScene scene;
     RenderJob job;
     std::optional<ShadowReport> error;
+    std::vector<std::uint8_t> map;  // the error map, if it is asked for
+    Warnings warnings;
 
     explicit Rendered(const Options& options)
         : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
         job.render();
-        if (options.no_truth) return;
+        if (!options.no_truth) compare(options);
+        warnings = frame_warnings(scene, job, error);
+    }
+
+private:
+    void compare(const Options& options) {
         const std::optional<SceneTruth> truth = trace(scene);
+        if (!truth && !options.error_map.empty())
+            throw SceneError(fmt::format("--error {}: {} has no exact truth: {}",
+                                         options.error_map, options.scene, no_truth_because));
         if (!truth) return;
         const std::vector<std::uint8_t> visible = job.visible();
+        const Buffer depths = job.buffer(Plane::observer_z);
         error = report(*truth, {job.bytes(Plane::filtered), visible},
-                       widened(light_texel_band(*truth), *truth, scene.settings));
+                       widened(light_texel_band(*truth), *truth, scene.settings), &depths);
+        if (!options.error_map.empty()) map = error_map(*truth, job);
     }
 };
 
@@ -52,6 +68,8 @@ void write_files(const Options& options, const Rendered& rendered) {
     const Buffer picture = rendered.job.buffer(Plane::picture);
     write_png_gray(picture_path(options), picture.size_px, picture.size_px,
                    rendered.job.bytes(Plane::picture), &files);
+    if (!options.error_map.empty())
+        write_png_rgb(options.error_map, picture.size_px, picture.size_px, rendered.map, &files);
     if (!options.buffers.empty()) {
         const Path folder = options.buffers;
         for (const Plane plane : all_planes) {
@@ -77,7 +95,7 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
     json["machine"] = tools::to_json(job.ledger(), rendered.scene.settings.timing.clock_ns);
     json["host_ms"] = to_json(job.times());
     json["settings"] = settings_json(rendered.scene.settings);
-    json["warnings"] = rendered.scene.warnings;
+    json["warnings"] = tools::to_json(rendered.warnings);
     return json;
 }
 
@@ -99,30 +117,19 @@ void print_rows(const Options& options, const Rendered& rendered) {
     fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
                "{:.1f}\n",
                t.total_ms(), t.light_ms, t.observer_ms, t.post_process_ms, t.filters_ms);
-    if (!rendered.error) {
-        fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth"
-                                                : "free patches: built without Embree; "
-                                                  "install libembree-dev and build again");
-        return;
+    if (rendered.error) {
+        fmt::print("{}", print(*rendered.error));
+    } else {
+        fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth" : no_truth_because);
     }
-    const ShadowReport& error = *rendered.error;
-    fmt::print("error       false shadow {} %, false light {} %; outside one light texel of the "
-               "edge {} %, {} %; {} isolated pixels\n",
-               percent(error.all.false_shadow_rate()), percent(error.all.false_light_rate()),
-               percent(error.outside_band.false_shadow_rate()),
-               percent(error.outside_band.false_light_rate()), error.isolated_pixels);
-    if (!std::isnan(error.edge.mean))
-        fmt::print("edge        {:.2f} pixels from the true edge on average, at most {:.1f}\n",
-                   error.edge.mean, error.edge.hausdorff);
-    if (error.tessellation_error)
-        fmt::print("truth       traced by Embree; with half as many triangles a side {} % of the "
-                   "pixels change\n", percent(error.tessellation_error));
+    if (!options.error_map.empty())
+        fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);
 }
 
 void run(const Options& options) {
     if (options.out.empty()) check_output(picture_path(options), ".png", {});
     const Rendered rendered(options);
-    for (const std::string& warning : rendered.scene.warnings) print_warning(warning);
+    print_warnings(rendered.warnings);
     write_files(options, rendered);
     if (options.json) {
         fmt::print("{}", print(to_json(options, rendered)));
@@ -142,9 +149,14 @@ void add_render_command(CLI::App& app, int&) {
     command.output_folder("--buffers", options->buffers,
                           "Folder for every stage's buffer, as PGM and NPY: Z of both views, "
                           "intensity, the mask before and after each filter, the picture");
+    const Argument error_file = command.output(
+        "--error", options->error_map, ".png",
+        std::string("The error map, over the picture: ") + error_map_legend);
     command.set(options->set);
-    command.flag("--no-truth", options->no_truth,
-                 "Do not compute the exact truth and the errors against it");
+    command
+        .flag("--no-truth", options->no_truth,
+              "Do not compute the exact truth and the errors against it")
+        .excludes(error_file);
     command.json(options->json);
     command.footer([] {
         return settings_help() +

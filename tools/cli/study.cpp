@@ -2,6 +2,7 @@
 // or renders rows of its CSV again.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/render/frame_warnings.hpp"
 #include "tools/cli/study_list.hpp"
 #include "tools/io/console.hpp"
 #include "tools/render/report.hpp"
@@ -80,7 +81,7 @@ void run(const Study& study, const Options& options) {
     RunOptions how{options.jobs, {}, options.replace};
     if (!options.shard.empty()) how.shard = read_shard(options.shard);
     const Asked asked = asked_of(study, options);
-    for (const std::string& warning : asked.request.scene.warnings) print_warning(warning);
+    print_warnings(asked.request.scene.warnings);
     const Path folder = options.out.empty() ? Path("out") / study.name() : Path(options.out);
     print_done(run_study(asked, how, folder, !options.shard.empty()), options.json);
 }

@@ -16,9 +16,37 @@ double real(const hw::Rational& exact) {
     return std::ldexp(static_cast<double>(q32), -32);
 }
 
+// Without a pixel to count there is no rate: 0 would say that all is right.
+std::optional<double> false_shadow(const ShadowError& error) {
+    return error.lit > 0 ? std::optional(error.false_shadow_rate()) : std::nullopt;
+}
+std::optional<double> false_light(const ShadowError& error) {
+    return error.shadowed > 0 ? std::optional(error.false_light_rate()) : std::nullopt;
+}
+
+ordered_json to_json(std::optional<double> rate) {
+    return rate ? ordered_json(*rate) : ordered_json(nullptr);
+}
+
+ordered_json to_json(const Coverage& c) {
+    return {{"seen_by_truth", c.seen}, {"drawn", c.drawn},         {"missing", c.missing},
+            {"extra", c.extra},        {"misplaced", c.misplaced}, {"beyond_edge", c.beyond_edge}};
+}
+
+std::string print(const Coverage& c, const ShadowReport& report) {
+    const int compared = report.all.lit + report.all.shadowed;
+    std::string text = fmt::format("compared    {} of {} pixels drawn; {} lie beyond the exact "
+                                   "silhouette, {} on unlit sides\n",
+                                   compared, c.drawn, c.beyond_edge, report.unlit_side);
+    if (!c.complete())
+        text += fmt::format("coverage    {} pixels missing of {} that truth sees, {} extra, {} at "
+                            "another depth\n", c.missing, c.seen, c.extra, c.misplaced);
+    return text;
+}
+
 ordered_json to_json(const ShadowError& error) {
-    return {{"false_shadow", error.false_shadow_rate()},
-            {"false_light", error.false_light_rate()},
+    return {{"false_shadow", to_json(false_shadow(error))},
+            {"false_light", to_json(false_light(error))},
             {"lit_pixels", error.lit},
             {"shadowed_pixels", error.shadowed}};
 }
@@ -42,6 +70,24 @@ std::string percent(std::optional<double> rate) {
     return rate ? fmt::format("{:.2f}", 100 * *rate) : "n/a";
 }
 
+std::string print(const ShadowReport& report) {
+    const auto rate = [](std::optional<double> r) { return r ? percent(r) + " %" : percent(r); };
+    std::string text = fmt::format(
+        "error       false shadow {}, false light {}; outside one light texel of the edge {}, {}; "
+        "{} isolated pixels\n",
+        rate(false_shadow(report.all)), rate(false_light(report.all)),
+        rate(false_shadow(report.outside_band)), rate(false_light(report.outside_band)),
+        report.isolated_pixels);
+    if (report.coverage) text += print(*report.coverage, report);
+    if (!std::isnan(report.edge.mean))
+        text += fmt::format("edge        {:.2f} pixels from the true edge on average, at most "
+                            "{:.1f}\n", report.edge.mean, report.edge.hausdorff);
+    if (report.tessellation_error)
+        text += fmt::format("truth       traced by Embree; with half as many triangles a side {} % "
+                            "of the pixels change\n", percent(report.tessellation_error));
+    return text;
+}
+
 ordered_json to_json(const BiasReport& bias) {
     return {{"quanta", bias.quanta}, {"texels", bias.texels}, {"world", bias.world}};
 }
@@ -61,6 +107,8 @@ ordered_json to_json(const std::optional<ShadowReport>& report) {
     json["outside_light_texel_band"] = to_json(report->outside_band);
     json["edge_distance_px"] = {{"mean", report->edge.mean},
                                 {"hausdorff", report->edge.hausdorff}};
+    if (report->coverage) json["coverage"] = to_json(*report->coverage);
+    json["unlit_side_pixels"] = report->unlit_side;
     json["isolated_pixels"] = report->isolated_pixels;
     json["threshold"] = report->threshold;
     json["truth"] = {{"by", report->tessellation_error ? "Embree" : "closed form"}};

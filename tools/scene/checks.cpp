@@ -2,8 +2,13 @@
 
 #include "tools/scene/table_reader.hpp"
 #include "tools/scene/view_fit.hpp"
+#include "tools/scene/visible_depths.hpp"
+#include "tools/scene/word_checks.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace umbra78::tools {
 namespace {
@@ -18,40 +23,79 @@ raster::View fitted_view(raster::View view, Patches patches) {
     return view;
 }
 
-void warn_of_light(const LoadedScene& scene, std::vector<std::string>& warnings) {
-    const Outside outside = count_outside(scene.light, scene.patches);
-    const raster::View whole = fitted_view(scene.light, scene.patches);
-    const Outside remaining = count_outside(whole, scene.patches);
-    const std::size_t all = scene.patches.size();
-    if (outside.window > remaining.window)
-        warnings.push_back(fmt::format(
-            "{} of {} patches reach out of the light's picture and may cast no shadow; "
-            "light.extent = {} holds them, or leave it out",
-            outside.window, all, decimal(whole.extent)));
-    else if (outside.window > 0)
-        warnings.push_back(fmt::format(
-            "{} of {} patches lie beside or behind the light and cast no shadow; move light."
-            "position out of the scene", outside.window, all));
-    if (outside.depth > remaining.depth)
-        warnings.push_back(fmt::format(
-            "{} of {} patches reach out of the light's near .. far and may cast no shadow; "
-            "light.near = {} and light.far = {} hold them, or leave both out",
-            outside.depth, all, decimal(whole.near_depth), decimal(whole.far_depth)));
+// A near plane of four digits before the nearest depth, a far one behind the farthest.
+std::string before(double depth, bool perspective) {
+    const double near = perspective ? depth * 63 / 64 : depth - 0.01 * std::abs(depth);
+    const double unit = std::pow(10, std::floor(std::log10(std::max(std::abs(near), 1e-9))) - 3);
+    const double rounded = std::floor(near / unit) * unit;
+    return fmt::format("{:.4g}", perspective ? std::max(rounded, std::ldexp(1, -16)) : rounded);
 }
 
-void warn_of_observer(const LoadedScene& scene, std::vector<std::string>& warnings) {
-    const Outside outside = count_outside(scene.observer, scene.patches);
-    const raster::View whole = fitted_view(scene.observer, scene.patches);
+std::string behind(double depth) {
+    const double far = depth + 0.02 * std::abs(depth);
+    const double unit = std::pow(10, std::floor(std::log10(std::max(std::abs(far), 1e-9))) - 3);
+    return fmt::format("{:.4g}", std::ceil(far / unit) * unit);
+}
+
+// What near and far cut off of what the view's window shows. `loses` says what a cut patch does.
+void warn_of_depths(const LoadedScene& scene, const raster::View& view, const std::string& name,
+                    const std::string& loses, Warnings& warnings) {
+    const CutDepths cut = cut_depths(view, scene.patches);
+    if (!cut.any()) return;
+    const bool perspective = view.projection == raster::Projection::perspective;
+    raster::View whole = view;
+    raster::fit_depth(whole, raster::depth_range(view, scene.patches));
+    const bool fits = !cut_depths(whole, scene.patches).any();
     const std::size_t all = scene.patches.size();
-    if (outside.depth > count_outside(whole, scene.patches).depth)
-        warnings.push_back(fmt::format(
-            "{} of {} patches are cut off by the observer's near .. far; observer.near = {} and "
-            "observer.far = {} hold them, or leave both out",
-            outside.depth, all, decimal(whole.near_depth), decimal(whole.far_depth)));
-    else if (outside.window == all)
-        warnings.push_back(fmt::format("every patch reaches out of the picture; observer.extent "
-                                       "= {} shows the whole scene, or leave it out",
-                                       decimal(whole.extent)));
+    const auto add = [&](const char* key, std::size_t patches, const std::string& what,
+                         const std::string& remedy) {
+        warnings.push_back({key, static_cast<double>(patches),
+                            fmt::format("{} of {} patches {} {}; {}{}", patches, all, what, loses,
+                                        remedy, fits ? ", or leave near and far out" : "")});
+    };
+    if (cut.before > 0) {
+        const bool by_far = perspective && view.near_depth == view.far_depth / 1024;
+        add("near_plane", cut.before,
+            fmt::format("are in {}'s window from depth {:.4g} on, nearer than near = {}{},", name,
+                        cut.nearest, decimal(view.near_depth),
+                        by_far ? " (fitted: far / 1024)" : ""),
+            fmt::format("set {}.near = {}", name, before(cut.nearest, perspective)));
+    }
+    if (cut.behind > 0)
+        add("far_plane", cut.behind,
+            fmt::format("are in {}'s window to depth {:.4g}, farther than far = {},", name,
+                        cut.farthest, decimal(view.far_depth)),
+            fmt::format("set {}.far = {}", name, behind(cut.farthest)));
+}
+
+void warn_of_light(const LoadedScene& scene, Warnings& warnings) {
+    const std::size_t all = scene.patches.size();
+    const Outside outside = count_outside(scene.light, scene.patches);
+    const raster::View whole = fitted_view(scene.light, scene.patches);
+    if (outside.window > count_outside(whole, scene.patches).window)
+        warnings.push_back(
+            {"light_window", static_cast<double>(outside.window),
+             fmt::format("{} of {} patches reach out of the light's picture and may cast no "
+                         "shadow; light.extent = {} holds them, or leave it out",
+                         outside.window, all, decimal(whole.extent))});
+    else if (outside.window > 0)
+        warnings.push_back(
+            {"light_window", static_cast<double>(outside.window),
+             fmt::format("{} of {} patches lie beside or behind the light and cast no shadow; "
+                         "move light.position out of the scene", outside.window, all)});
+    warn_of_depths(scene, scene.light, "light", "and may cast no shadow", warnings);
+}
+
+void warn_of_observer(const LoadedScene& scene, Warnings& warnings) {
+    const std::size_t before = warnings.size();
+    warn_of_depths(scene, scene.observer, "observer", "and are cut off", warnings);
+    const std::size_t outside = count_outside(scene.observer, scene.patches).window;
+    if (warnings.size() == before && outside == scene.patches.size())
+        warnings.push_back(
+            {"observer_window", static_cast<double>(outside),
+             fmt::format("every patch reaches out of the picture; observer.extent = {} shows the "
+                         "whole scene, or leave it out",
+                         decimal(fitted_view(scene.observer, scene.patches).extent))});
 }
 
 }  // namespace
@@ -81,16 +125,24 @@ void check_matrices(const LoadedScene& scene, FirstError& error) {
     if (status != shadow::FrameStatus::ok) error.report(scene.name + ": " + explain(status));
 }
 
-std::vector<std::string> warnings_of(const LoadedScene& scene) {
-    std::vector<std::string> warnings;
+Warnings warnings_of(const LoadedScene& scene) {
+    Warnings warnings;
     if (scene.patches.empty()) {
-        warnings.push_back("nothing is drawn: there is no [[sphere]], [[plane]] or [[patch]]");
+        warnings.push_back(
+            {"empty", 0, "nothing is drawn: there is no [[sphere]], [[plane]] or [[patch]]"});
     } else {
         warn_of_light(scene, warnings);
         warn_of_observer(scene, warnings);
+        warn_of_words(scene, warnings);
     }
-    for (std::string& warning : warnings) warning.insert(0, scene.name + ": ");
+    for (Warning& warning : warnings) warning.line.insert(0, scene.name + ": ");
     return warnings;
+}
+
+std::vector<std::string> lines_of(const Warnings& warnings) {
+    std::vector<std::string> lines;
+    for (const Warning& warning : warnings) lines.push_back(warning.line);
+    return lines;
 }
 
 }  // namespace umbra78::tools

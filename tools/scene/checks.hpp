@@ -9,9 +9,15 @@ namespace umbra78::tools {
 // Reports an error if the scene's matrices do not fit the machine's words.
 void check_matrices(const LoadedScene&, FirstError&);
 
-// A line each for: nothing to draw, casters outside the light's volume, surfaces that the
-// observer's near and far cut off, a picture that shows nothing.
-std::vector<std::string> warnings_of(const LoadedScene&);
+// Needs check_matrices(). Keys and measured figures:
+//   empty            nothing to draw
+//   light_window     patches that reach out of the light's picture
+//   near_plane       patches that a view's near cuts in its window; far_plane: its far
+//   observer_window  all patches reach out of the picture
+//   object_words, view_matrix, shadow_matrix, depth_order, bias   see word_checks.hpp
+// What is known only once the frame is drawn is in tools/render/frame_warnings.hpp.
+Warnings warnings_of(const LoadedScene&);
+std::vector<std::string> lines_of(const Warnings&);
 
 // Why a frame cannot be drawn and the remedy, in a line; "" for FrameStatus::ok.
 std::string explain(shadow::FrameStatus);

@@ -8,6 +8,7 @@
 
 #include "raster/scene.hpp"
 #include "shadow/frame/frame.hpp"
+#include "tools/scene/warning.hpp"
 
 #include <span>
 #include <string>
@@ -25,7 +26,7 @@ struct LoadedScene {
     std::size_t free_patches = 0;        // neither spheres' nor planes': truth has no closed form
     raster::View observer, light;
     shadow::Settings settings;           // the file's, with the overrides applied
-    std::vector<std::string> warnings;   // a caster outside the light's volume, ...
+    Warnings warnings;                   // a caster outside the light's volume, ...
 
     shadow::Scene view() const { return {patches, materials, observer, {{light}}}; }
 };

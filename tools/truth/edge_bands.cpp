@@ -17,16 +17,23 @@ struct Slid {
     bool over_the_edge = true;  // the surface ends before it
 };
 
-// Of a sphere's two crossings the later one is on the side that faces the light. Beside a plane
+// Of a sphere's two crossings the later one is on the side whose outside faces the light. Beside a plane
 // that faces the light there is nothing of it that could cast a shadow, so it counts as unbounded.
-Slid slide(const TruthScene& scene, int surface, bool faces_light, const Ray& to_light) {
+Slid slide(const TruthScene& scene, int surface, bool faces_light, bool inside,
+           const Ray& to_light) {
     const int spheres = static_cast<int>(scene.spheres.size());
     if (surface < spheres) {
         const auto hit = crossings(scene.spheres[surface], to_light);
-        return hit ? Slid{(*hit)[faces_light ? 1 : 0], false} : Slid{};
+        return hit ? Slid{(*hit)[faces_light != inside ? 1 : 0], false} : Slid{};
     }
     const auto hit = crossing(scene.planes[surface - spheres], to_light);
     return hit ? Slid{hit->t, !faces_light && !hit->inside} : Slid{};
+}
+
+// Where the ray leaves the sphere.
+double last_of(const TruthScene& scene, int surface, const Ray& ray) {
+    const auto hit = crossings(scene.spheres[surface], ray);
+    return hit ? (*hit)[1] : 0;
 }
 
 // Where the light sees what the observer's pixels see.
@@ -111,8 +118,13 @@ Band light_texel_band(const TruthScene& scene, const TruthLight& light, const Tr
         const int surface = truth.surface[at];
         const bool faces_light = truth.n_dot_l[at] > 0;
         const Ray ray = light.ray(along(along(truth.position[at], x, right), y, up));
-        const Slid slid = slide(scene, surface, faces_light, ray);
-        if (blocked(scene, ray, slid.t, light.reach(), surface)) return truth.lit[at] != 0;
+        const bool inside =
+            seen_from_inside(scene, surface, truth.position[at], truth.normal[at]);
+        const Slid slid = slide(scene, surface, faces_light, inside, ray);
+        const bool by_itself = inside && !slid.over_the_edge && faces_light &&
+                               last_of(scene, surface, ray) < light.reach();
+        if (by_itself || blocked(scene, ray, slid.t, light.reach(), surface))
+            return truth.lit[at] != 0;
         return slid.over_the_edge || faces_light != (truth.lit[at] != 0);
     };
 

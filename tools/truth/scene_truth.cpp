@@ -34,9 +34,19 @@ TruthLight truth_light(const raster::View& light) {
     return {point, back, along(real(light.target), point ? q16(light.distance) : 0, back)};
 }
 
+// The observer's view with all that lies before the eye, or in the whole depth of the scene.
+TruthView without_cut(const LoadedScene& scene, TruthView view) {
+    const raster::DepthRange range = raster::depth_range(scene.observer, scene.patches);
+    const double beyond = 1 + view.extent;
+    view.near_depth = view.perspective ? 0 : std::min(view.near_depth, q16(range.min) - beyond);
+    view.far_depth = std::max(view.far_depth, q16(range.max) + beyond);
+    return view;
+}
+
 // The surfaces by their patches: TruthScene's numbers, then the free patches'.
-std::optional<PatchTruth> patch_truth(const LoadedScene& scene, const SceneTruth& views) {
-    auto made = trace_patches(scene.patches, views.observer, views.light);
+std::optional<PatchTruth> patch_truth(const LoadedScene& scene, const TruthView& view,
+                                      const TruthLight& light) {
+    auto made = trace_patches(scene.patches, view, light);
     if (!made) return made;
     const auto spheres = static_cast<std::int32_t>(scene.spheres.size());
     const std::int32_t of_spheres = spheres * raster::patches_per_sphere;
@@ -64,14 +74,15 @@ std::optional<SceneTruth> trace(const LoadedScene& scene) {
     const int size = scene.settings.machine.size_px();
     SceneTruth made{truth_scene(scene), truth_view(scene.observer, size),
                     truth_view(scene.light, size), truth_light(scene.light), {}, {}};
+    const TruthView seen = without_cut(scene, made.observer);
     if (scene.free_patches > 0) {
-        auto traced = patch_truth(scene, made);
+        auto traced = patch_truth(scene, seen, made.light);
         if (!traced) return std::nullopt;
         made.closed_form = false;
         made.tessellation_error = traced->estimated_error;
         made.truth = std::move(traced->truth);
     } else {
-        made.truth = trace(made.scene, made.observer, made.light);
+        made.truth = trace(made.scene, seen, made.light);
     }
     const auto spheres = static_cast<std::int32_t>(scene.spheres.size());
     made.unlit_side.resize(made.truth.visible.size());
@@ -96,13 +107,20 @@ Band widened(const Band& band, const SceneTruth& truth, const shadow::Settings& 
     return widened(band, truth.truth.size, filter_radius_px(settings));
 }
 
-ShadowReport report(const SceneTruth& truth, const MachineMask& mask, const Band& band) {
-    return {shadow_error(truth.truth, mask, truth.unlit_side),
-            shadow_error(truth.truth, mask, band),
-            edge_distance(truth.truth, mask, truth.unlit_side),
-            isolated_pixels(mask, truth.truth.size),
-            mask.threshold,
-            truth.closed_form ? std::nullopt : std::optional(truth.tessellation_error)};
+ShadowReport report(const SceneTruth& truth, const MachineMask& mask, const Band& band,
+                    const Buffer* depths) {
+    ShadowReport made{shadow_error(truth.truth, mask, truth.unlit_side),
+                      shadow_error(truth.truth, mask, band),
+                      edge_distance(truth.truth, mask, truth.unlit_side),
+                      isolated_pixels(mask, truth.truth.size),
+                      mask.threshold,
+                      truth.closed_form ? std::nullopt : std::optional(truth.tessellation_error)};
+    for (std::size_t at = 0; at < truth.unlit_side.size(); ++at)
+        made.unlit_side += truth.unlit_side[at] && truth.truth.visible[at] && mask.drawn(at);
+    if (depths != nullptr)
+        made.coverage = coverage(truth.truth, *depths,
+                                 coverage_image(truth.truth, *depths, truth.observer));
+    return made;
 }
 
 }  // namespace umbra78::tools

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tools/scene/scene_file.hpp"
+#include "tools/truth/coverage.hpp"
 #include "tools/truth/edge_bands.hpp"
 #include "tools/truth/edge_distance.hpp"
 #include "tools/truth/metrics.hpp"
@@ -15,7 +16,7 @@ namespace umbra78::tools {
 
 struct SceneTruth {
     TruthScene scene;
-    TruthView observer, light_view;
+    TruthView observer, light_view;  // the machine's, with its near and far
     TruthLight light;
     Truth truth;
     // 1: a plane or a free patch is seen from its unlit side. The shading makes it dark, whatever
@@ -25,7 +26,9 @@ struct SceneTruth {
     double tessellation_error = 0;  // PatchTruth's estimate
 };
 
-// Traced at the settings' resolution. Nothing for a scene with free patches without Embree.
+// Traced at the settings' resolution. Truth sees whatever lies in the observer's window: near and
+// far do not cut it, so that what they take from the machine's picture is counted as missing.
+// Nothing for a scene with free patches without Embree.
 std::optional<SceneTruth> trace(const LoadedScene&);
 
 TruthView truth_view(const raster::View&, int size_px);
@@ -37,6 +40,8 @@ struct ShadowReport {
     int isolated_pixels = 0;
     int threshold = 128;
     std::optional<double> tessellation_error;  // PatchTruth's, if truth has no closed form
+    int unlit_side = 0;                  // pixels seen from a surface's unlit side: not compared
+    std::optional<Coverage> coverage{};  // where the observer's Z codes are known
 };
 
 Band light_texel_band(const SceneTruth&);            // without a filter's reach
@@ -45,6 +50,8 @@ Band widened(const Band&, const SceneTruth&, const shadow::Settings&);  // with 
 // How far the mask's filters reach: a pixel for each low-pass and one for the dequantizer.
 double filter_radius_px(const shadow::Settings&);
 
-ShadowReport report(const SceneTruth&, const MachineMask&, const Band&);
+// `depths` are the observer's Z codes; without them there is no coverage.
+ShadowReport report(const SceneTruth&, const MachineMask&, const Band&,
+                    const Buffer* depths = nullptr);
 
 }  // namespace umbra78::tools

@@ -71,7 +71,8 @@ Real3 unit_normal(const TruthScene& scene, int surface, const Real3& at, const R
     const int spheres = static_cast<int>(scene.spheres.size());
     if (surface < spheres) {
         const TruthSphere& sphere = scene.spheres[surface];
-        return times(1 / sphere.radius, minus(at, sphere.centre));
+        const Real3 outward = times(1 / sphere.radius, minus(at, sphere.centre));
+        return dot(outward, sight) > 0 ? times(-1, outward) : outward;
     }
     const TruthPlane& plane = scene.planes[surface - spheres];
     const Real3 normal = cross(plane.u, plane.v);
@@ -152,6 +153,18 @@ double last_crossing(const TruthScene& scene, const Ray& ray, double to) {
     return last;
 }
 
+bool seen_from_inside(const TruthScene& scene, int surface, const Real3& at, const Real3& normal) {
+    if (surface >= static_cast<int>(scene.spheres.size())) return false;
+    return dot(normal, minus(at, scene.spheres[surface].centre)) < 0;
+}
+
+bool left_through_itself(const TruthScene& scene, int surface, const Real3& normal, const Ray& ray,
+                         double to) {
+    if (!seen_from_inside(scene, surface, ray.origin, normal)) return false;
+    const auto hit = crossings(scene.spheres[surface], ray);
+    return hit && (*hit)[1] < to;
+}
+
 bool occluded(const Real3& point, const TruthLight& light, const TruthScene& scene,
               int ignoring) {
     return blocked(scene, light.ray(point), 0, light.reach(), ignoring);
@@ -200,7 +213,8 @@ Truth trace(const TruthScene& scene, const TruthView& view, const TruthLight& li
         });
     }
 
-    // What of it the light sees. A surface that faces the light does not stand in its own way.
+    // What of it the light sees. A surface that faces the light does not stand in its own way,
+    // except a sphere that is seen from inside.
     for (std::size_t at = 0; at < truth.surface.size(); ++at) {
         const int seen_here = truth.surface[at];
         if (seen_here == no_surface) continue;
@@ -210,7 +224,9 @@ Truth trace(const TruthScene& scene, const TruthView& view, const TruthLight& li
         const Real3 position = along(sight.origin, truth.depth[at], sight.direction);
         truth.see(at, seen_here, truth.depth[at], position,
                   unit_normal(scene, seen_here, position, sight.direction), light);
-        truth.lit[at] = truth.n_dot_l[at] > 0 && !occluded(position, light, scene, seen_here);
+        truth.lit[at] = truth.n_dot_l[at] > 0 && !occluded(position, light, scene, seen_here) &&
+                        !left_through_itself(scene, seen_here, truth.normal[at],
+                                             light.ray(position), light.reach());
         if (truth.lit[at]) continue;
         const Ray to_light = light.ray(position);
         truth.behind[at] =

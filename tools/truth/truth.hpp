@@ -77,8 +77,7 @@ struct Truth {
     std::vector<std::int32_t> surface;
     std::vector<double> depth;          // as TruthView measures it
     std::vector<Real3> position;
-    std::vector<Real3> normal;          // unit: a sphere's points outward, any other surface's
-                                        // toward the viewer
+    std::vector<Real3> normal;          // unit, toward the viewer
     std::vector<double> n_dot_l;        // cosine, -1 .. 1
     std::vector<double> behind;         // in shadow: how far the last surface before the light
                                         // is, world units along the light's ray; 0 where lit
@@ -104,6 +103,12 @@ bool blocked(const TruthScene&, const Ray&, double from, double to, int ignoring
 
 // The last t > 0 before t = to at which the ray meets any surface; 0 where it meets none.
 double last_crossing(const TruthScene&, const Ray&, double to);
+
+// Whether the normal toward the viewer at a point of the surface shows that it is a sphere seen from
+// inside; and whether the ray from that point leaves the sphere before t = to.
+bool seen_from_inside(const TruthScene&, int surface, const Real3& at, const Real3& normal);
+bool left_through_itself(const TruthScene&, int surface, const Real3& normal, const Ray& from_it,
+                         double to);
 
 // Whether anything but surface `ignoring` stands between the point and the light.
 bool occluded(const Real3& point, const TruthLight&, const TruthScene&,

@@ -1,0 +1,237 @@
+#include "tools/scene/word_checks.hpp"
+
+#include "raster/projection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace umbra78::tools {
+namespace {
+
+using raster::View;
+using Real4 = std::array<double, 4>;
+
+// Control points that are measured; of more, evenly spaced ones.
+constexpr std::size_t max_points = 4096;
+
+double q16(std::int64_t word) { return std::ldexp(static_cast<double>(word), -16); }
+
+bool perspective(const View& view) { return view.projection == raster::Projection::perspective; }
+
+double pixel(const View& view, const hw::MachineSpec& spec) {
+    return q16(view.extent) / spec.half_px();
+}
+
+// A matrix of rationals, or of words, as real numbers; both for inputs in world units or pixels.
+struct RealMatrix {
+    std::array<Real4, 4> row{};
+
+    Real4 operator()(const Real4& v) const {
+        Real4 out{};
+        for (std::size_t r = 0; r < 4; ++r)
+            for (std::size_t k = 0; k < 4; ++k) out[r] += row[r][k] * v[k];
+        for (std::size_t r = 0; r < 3; ++r) out[r] /= out[3];
+        return out;
+    }
+};
+
+RealMatrix real(const hw::MatrixWords& words, const hw::MachineSpec& spec, hw::WordFormat input) {
+    RealMatrix m;
+    const double one = std::ldexp(input.one_word(), -input.fraction);
+    for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t k = 0; k < 4; ++k)
+            m.row[r][k] = std::ldexp(words.word[r][k],
+                                     words.exponent[r] - spec.coefficient_bits + 2) *
+                          (k == 3 ? one : 1);
+    if (words.affine) m.row[3] = {0, 0, 0, 1};
+    return m;
+}
+
+// hw/MACHINE.md, section 4, in double precision: pixels and depth in pixels of the cube.
+class ExactView {
+public:
+    ExactView(const View& view, const hw::MachineSpec& spec)
+        : view_(view), half_(spec.half_px()), near_(q16(view.near_depth)),
+          far_(q16(view.far_depth)) {}
+
+    Real4 operator()(const Real4& p) const {
+        const std::array target{q16(view_.target.x), q16(view_.target.y), q16(view_.target.z)};
+        const auto along = [&](const raster::Axis& axis) {
+            double sum = 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                sum += std::ldexp(axis[k], -30) * (p[k] - target[k]);
+            return sum;
+        };
+        const double eye = perspective(view_) ? q16(view_.distance) : 0;
+        const double depth = eye - along(view_.axes.back);
+        const double scale =
+            half_ / q16(view_.extent) * (perspective(view_) ? eye / depth : 1);
+        const double z = perspective(view_)
+                             ? ((far_ + near_) * depth - 2 * far_ * near_) / ((far_ - near_) * depth)
+                             : 2 * (depth - near_) / (far_ - near_) - 1;
+        return {scale * along(view_.axes.right), -scale * along(view_.axes.up), half_ * z, depth};
+    }
+    // Whether a point that operator() gave is in the view's volume.
+    bool shows(const Real4& seen) const {
+        return (!perspective(view_) || seen[3] > 0) && std::abs(seen[0]) <= half_ &&
+               std::abs(seen[1]) <= half_ && std::abs(seen[2]) <= half_;
+    }
+
+private:
+    const View& view_;
+    double half_, near_, far_;
+};
+
+template <class Visit>
+void for_points(const LoadedScene& scene, Visit visit) {
+    const std::size_t points = 16 * scene.patches.size();
+    const std::size_t step = (points + max_points - 1) / max_points;
+    for (std::size_t k = 0; k < points; k += step) {
+        const raster::World& p = scene.patches[k / 16].control[k % 16];
+        visit(Real4{q16(p.x), q16(p.y), q16(p.z), 1});
+    }
+}
+
+double off(const Real4& a, const Real4& b) {
+    const double d = std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1]));
+    return std::isfinite(d) ? d : HUGE_VAL;
+}
+
+std::string bits_remedy(const LoadedScene& scene) {
+    return scene.settings.machine.coefficient_bits < 24
+               ? "set coefficient_bits = 24, or bring the scene nearer to the target"
+               : "bring the scene nearer to the target, or make it smaller";
+}
+
+void warn_of_view(const LoadedScene& scene, const View& view, const hw::MatrixWords& words,
+                  hw::WordFormat object, const std::string& name, Warnings& warnings) {
+    const hw::MachineSpec& spec = scene.settings.machine;
+    const RealMatrix machine = real(words, spec, object);
+    const ExactView exact(view, spec);
+    double max = 0;
+    for_points(scene, [&](const Real4& p) {
+        const Real4 seen = exact(p);
+        if (exact.shows(seen)) max = std::max(max, off(machine(p), seen));
+    });
+    if (max > 1)
+        warnings.push_back(
+            {"view_matrix", max,
+             fmt::format("{}'s view moves surfaces by up to {:.3g} pixels: its matrix shares the "
+                         "{} bits of a word between the rotation and a large translation; {}",
+                         name, max, spec.coefficient_bits, bits_remedy(scene))});
+}
+
+void warn_of_shadow(const LoadedScene& scene, const shadow::LightMatrices& matrices,
+                    Warnings& warnings) {
+    const hw::MachineSpec& spec = scene.settings.machine;
+    const RealMatrix machine = real(matrices.observer_to_light, spec, hw::screen_words(spec));
+    const ExactView observer(scene.observer, spec), light(scene.light, spec);
+    const double bias = std::ldexp(q16(matrices.bias_quanta_q16), -spec.depth_fraction());
+    double max = 0, max_z = 0;
+    for_points(scene, [&](const Real4& p) {
+        Real4 from = observer(p);
+        Real4 to = light(p);
+        if (!observer.shows(from) || !light.shows(to)) return;
+        from[3] = 1;
+        to[2] -= bias;
+        const Real4 made = machine(from);
+        max = std::max(max, off(made, to));
+        // A texel along the light's view, in its Z.
+        const double depth = to[3], extent = q16(scene.light.extent);
+        const double range = q16(scene.light.far_depth) - q16(scene.light.near_depth);
+        const double texel_z =
+            perspective(scene.light)
+                ? q16(scene.light.far_depth) * q16(scene.light.near_depth) * 2 * extent /
+                      (range * depth * q16(scene.light.distance))
+                : 2 * extent / range;
+        if (std::abs(made[2] - to[2]) > std::abs(bias))
+            max_z = std::max(max_z, std::abs(made[2] - to[2]) / texel_z);
+    });
+    if (max > 1 || max_z > 1)
+        warnings.push_back(
+            {"shadow_matrix", std::max(max, max_z),
+             fmt::format("the matrix from observer to light moves points by up to {:.3g} texels "
+                         "of the depth map, {}: its {} bits do not hold these views; {}",
+                         std::max(max, max_z), max >= max_z ? "aside" : "in depth",
+                         spec.coefficient_bits, bits_remedy(scene))});
+}
+
+void warn_of_objects(const LoadedScene& scene, hw::WordFormat object, Warnings& warnings) {
+    const double step = std::ldexp(1, -object.fraction);
+    const double steps = step / pixel(scene.observer, scene.settings.machine);
+    if (steps <= 1) return;
+    double reach = 0;
+    for_points(scene, [&](const Real4& p) {
+        for (std::size_t k = 0; k < 3; ++k) reach = std::max(reach, std::abs(p[k]));
+    });
+    warnings.push_back(
+        {"object_words", steps,
+         fmt::format("a control point {:.5g} units off makes a step of all places {:.3g} units, "
+                     "{:.3g} pixels: surfaces smaller than that are crushed; bring all of the "
+                     "scene within {:.3g} units, or raise observer.extent",
+                     reach, step, steps,
+                     std::max(1.0, std::exp2(std::floor(std::log2(reach / steps)))))});
+}
+
+void warn_of_order(const LoadedScene& scene, const View& view, const std::string& name,
+                   Warnings& warnings) {
+    const hw::MachineSpec& spec = scene.settings.machine;
+    const double near = q16(view.near_depth), far = q16(view.far_depth);
+    const double at = q16(view.distance);  // of the target, in perspective
+    const double step = std::ldexp(far - near, -spec.z_bits) *
+                        (perspective(view) ? at * at / (far * near) : 1);
+    const double steps = step / pixel(view, spec);
+    if (steps <= 2) return;
+    View whole = view;
+    raster::fit_depth(whole, raster::depth_range(view, scene.patches));
+    const bool as_fitted = whole.near_depth == view.near_depth && whole.far_depth == view.far_depth;
+    warnings.push_back(
+        {"depth_order", steps,
+         fmt::format("a step of {}'s Z is {:.3g} units at its target, {:.3g} pixels: surfaces "
+                     "nearer to each other have no order; {}",
+                     name, step, steps,
+                     as_fitted ? std::string(spec.z_bits < 24 ? "set z_bits = 24, or make the "
+                                                                "scene less deep"
+                                                              : "make the scene less deep")
+                               : fmt::format("set {0}.near = {1:.4g} and {0}.far = {2:.4g}, or "
+                                             "leave both out",
+                                             name, q16(whole.near_depth), q16(whole.far_depth)))});
+}
+
+void warn_of_bias(const LoadedScene& scene, const shadow::LightMatrices& matrices,
+                  Warnings& warnings) {
+    const hw::MachineSpec& spec = scene.settings.machine;
+    const View& light = scene.light;
+    const double near = q16(light.near_depth), far = q16(light.far_depth), at = q16(light.distance);
+    const double step = std::ldexp(far - near, -spec.z_bits) *
+                        (perspective(light) ? at * at / (far * near) : 1);
+    const double texels = q16(matrices.bias_quanta_q16) * step / pixel(light, spec);
+    if (std::abs(texels) <= 4) return;
+    warnings.push_back(
+        {"bias", texels,
+         fmt::format("the bias is {:.3g} texels of the depth map, {:.3g} units: shadows begin "
+                     "that far from what casts them; set bias = {} and bias_unit = \"texels\"",
+                     texels, q16(matrices.bias_quanta_q16) * step,
+                     "2.5")});
+}
+
+}  // namespace
+
+void warn_of_words(const LoadedScene& scene, Warnings& warnings) {
+    shadow::FrameMatrices matrices;
+    shadow::load_matrices(scene.view(), scene.settings, matrices);
+    warn_of_objects(scene, matrices.object, warnings);
+    warn_of_view(scene, scene.observer, matrices.world_to_observer, matrices.object, "observer",
+                 warnings);
+    warn_of_view(scene, scene.light, matrices.lights[0].world_to_light, matrices.object, "light",
+                 warnings);
+    warn_of_shadow(scene, matrices.lights[0], warnings);
+    warn_of_order(scene, scene.observer, "observer", warnings);
+    warn_of_order(scene, scene.light, "light", warnings);
+    warn_of_bias(scene, matrices.lights[0], warnings);
+}
+
+}  // namespace umbra78::tools
