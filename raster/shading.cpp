@@ -44,11 +44,24 @@ WideVector tangent_v(const std::array<Component, 3>& w, std::size_t v, std::size
     return t;
 }
 
+// Three times the chord from corner a to corner b.
+WideVector chord(const std::array<Component, 3>& w, std::size_t a, std::size_t b) {
+    WideVector t{};
+    for (std::size_t k = 0; k < 3; ++k) t[k] = 3 * (w[k].f[b] - w[k].f[a]);
+    return t;
+}
+
 // Where an edge is a point (at a sphere's pole) its tangent is 0, and the opposite edge's is taken.
+// Where both are 0 because control points coincide, the edge's chord is taken, or if that is 0 the
+// opposite edge's.
 UnitVector corner_normal(const std::array<Component, 3>& w, std::size_t v, std::size_t u) {
     WideVector tu = tangent_u(w, v, u), tv = tangent_v(w, v, u);
     if (is_zero(tu)) tu = tangent_u(w, 1 - v, u);
+    if (is_zero(tu)) tu = chord(w, 2 * v, 2 * v + 1);
+    if (is_zero(tu)) tu = chord(w, 2 - 2 * v, 3 - 2 * v);
     if (is_zero(tv)) tv = tangent_v(w, v, 1 - u);
+    if (is_zero(tv)) tv = chord(w, u, u + 2);
+    if (is_zero(tv)) tv = chord(w, 1 - u, 3 - u);
     return unit_vector(cross(scaled_to(tu, 30), scaled_to(tv, 30)));
 }
 

@@ -70,6 +70,35 @@ TEST(Shading, IsLambertsCosineOnBothSides) {
     }
 }
 
+// A flat block whose control points stand in its corners: all four tangents are 0, and the chords
+// give the normal that evenly spaced points give.
+TEST(Shading, OfCoincidentControlPointsIsTheFlatBlocks) {
+    const Vector3 u{0.5, 0.125, 0.25}, v{-0.25, 0.5, 0.125};
+    const std::array<Component, 3> even = flat(u, v);
+    std::array<Component, 3> doubled = even;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Component& c = doubled[k];
+        const std::int64_t gu = 3 * (c.f[1] - c.f[0]) / 4, gv = 3 * (c.f[2] - c.f[0]) / 4;
+        c.gu = {gu, -gu, gu, -gu};
+        c.gv = {gv, gv, -gv, -gv};
+    }
+    const Material matt{200, 0, 0};
+    const ShadingSpec spec{77, {false, q14(unit3({0.6, -0.7, 0.8})), {}},
+                           {false, q14({0, 0, 1}), {}}};
+    const BlockShading right(even, spec, matt), shading(doubled, spec, matt);
+    EXPECT_GT(right.level(3, 12, false), 70);  // not ambient light alone, which is 60
+    for (int leaf = 0; leaf < 256; ++leaf)
+        EXPECT_EQ(shading.level(leaf % 16, leaf / 16, false),
+                  right.level(leaf % 16, leaf / 16, false)) << leaf;
+    // One edge a point as well: the opposite edge's chord.
+    std::array<Component, 3> tip = doubled;
+    for (Component& c : tip) {
+        c.f[3] = c.f[2];
+        c.gu[2] = c.gu[3] = 0;
+    }
+    EXPECT_GT(BlockShading(tip, spec, matt).level(8, 15, false), 70);
+}
+
 TEST(Shading, TheHighlightIsBrightestInTheMirrorDirection) {
     const Vector3 light = unit3({1, 0, 1}), up{0, 1, 0};
     const ShadingSpec spec{0, {false, q14(light), {}}, {false, q14({-0.70710678, 0, 0.70710678}),

@@ -7,6 +7,7 @@
 #include "tools/render/frame_warnings.hpp"
 #include "tools/render/report.hpp"
 #include "tools/scene/settings_text.hpp"
+#include "tools/truth/patch_truth.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,8 +26,12 @@ struct Options {
     bool json = false, no_truth = false;
 };
 
-constexpr const char* no_truth_because =
-    "free patches: built without Embree; install libembree-dev and build again";
+// Why a scene with free patches has none.
+const char* no_truth_because() {
+    return traces_patches() ? "free patches: there is no memory for their triangles"
+                            : "free patches: built without Embree; install libembree-dev and "
+                              "build again";
+}
 
 struct Rendered {
     LoadedScene scene;
@@ -47,7 +52,7 @@ private:
         const std::optional<SceneTruth> truth = trace(scene);
         if (!truth && !options.error_map.empty())
             throw SceneError(fmt::format("--error {}: {} has no exact truth: {}",
-                                         options.error_map, options.scene, no_truth_because));
+                                         options.error_map, options.scene, no_truth_because()));
         if (!truth) return;
         const std::vector<std::uint8_t> visible = job.visible();
         const Buffer depths = job.buffer(Plane::observer_z);
@@ -120,7 +125,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
     if (rendered.error) {
         fmt::print("{}", print(*rendered.error));
     } else {
-        fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth" : no_truth_because);
+        fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth" : no_truth_because());
     }
     if (!options.error_map.empty())
         fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);

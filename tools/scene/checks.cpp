@@ -56,14 +56,14 @@ void warn_of_depths(const LoadedScene& scene, const raster::View& view, const st
     if (cut.before > 0) {
         const bool by_far = perspective && view.near_depth == view.far_depth / 1024;
         add("near_plane", cut.before,
-            fmt::format("are in {}'s window from depth {:.4g} on, nearer than near = {}{},", name,
-                        cut.nearest, decimal(view.near_depth),
+            fmt::format("are in the {}'s window from depth {:.4g} on, nearer than near = {}{},",
+                        name, cut.nearest, decimal(view.near_depth),
                         by_far ? " (fitted: far / 1024)" : ""),
             fmt::format("set {}.near = {}", name, before(cut.nearest, perspective)));
     }
     if (cut.behind > 0)
         add("far_plane", cut.behind,
-            fmt::format("are in {}'s window to depth {:.4g}, farther than far = {},", name,
+            fmt::format("are in the {}'s window to depth {:.4g}, farther than far = {},", name,
                         cut.farthest, decimal(view.far_depth)),
             fmt::format("set {}.far = {}", name, behind(cut.farthest)));
 }

@@ -20,7 +20,8 @@ std::string scene_keys_markdown() {
         "are read. A scene file is TOML; see `figures.toml` and `lamp.toml`. The world is\n"
         "x right, y up, z toward an observer at azimuth 0. Numbers are decimals and are read\n"
         "exactly; lengths and angles are rounded to multiples of 2^-16, half to even. The middle\n"
-        "of the scene is the middle of the box that holds the control points of all surfaces.\n";
+        "of the scene is the middle of the box that holds the control points of all surfaces,\n"
+        "rounded down to a multiple of 2^-16.\n";
     for (const SceneTable& table : scene_tables()) {
         std::vector<std::vector<std::string>> rows{{"key", "unit", "range", "default", "meaning"}};
         for (const SceneKey& key : table.keys)

@@ -20,9 +20,10 @@ void read(std::string_view text, std::span<const std::string> overrides, LoadedS
     if (error.any()) return;
     read_surfaces(root, scene, error);
     if (error.any()) return;
-    scene.observer = read_observer(root, scene.patches, error);
+    take_origin(read_origin(root, scene.patches, error), scene);
+    scene.observer = read_observer(root, scene.patches, scene.origin, error);
     if (error.any()) return;
-    scene.light = read_light(root, scene.patches, error);
+    scene.light = read_light(root, scene.patches, scene.origin, error);
     const bool perspective = scene.observer.projection == raster::Projection::perspective ||
                              scene.light.projection == raster::Projection::perspective;
     scene.settings = read_settings(root.find("settings"), set, perspective, error);

@@ -23,6 +23,8 @@ struct LoadedScene {
     std::vector<raster::Sphere> spheres;
     std::vector<raster::Plane> planes;
     std::vector<raster::Patch> patches;  // of all surfaces: the spheres', the planes', free ones
+    // Taken from all places above and from the views' targets: observer.recentre.
+    raster::World origin{};
     std::size_t free_patches = 0;        // neither spheres' nor planes': truth has no closed form
     raster::View observer, light;
     shadow::Settings settings;           // the file's, with the overrides applied

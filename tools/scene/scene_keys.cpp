@@ -26,6 +26,7 @@ constexpr std::string_view fitted = "fitted to the scene", needed = "must be giv
 constexpr raster::Material plain;
 
 constexpr std::string_view projections[] = {"orthographic", "perspective"};  // raster::Projection
+constexpr std::string_view on_or_off[] = {"on", "off"};
 constexpr std::string_view light_kinds[] = {"directional", "point"};
 
 constexpr SceneKey target{.key = "target", .kind = point, .unit = world_units,
@@ -59,6 +60,9 @@ constexpr SceneKey observer_keys[] = {
     {.key = "distance", .kind = number, .unit = world_units, .range = length_range,
      .left_out = "must be given in perspective", .example = "8",
      .meaning = "from the eye to the target, in perspective only"},
+    {.key = "recentre", .kind = choice, .choices = on_or_off,
+     .meaning = "count places from the target, if all lie within 32766 of it, so that a far scene keeps "
+                "its bits"},
 };
 constexpr SceneKey light_keys[] = {
     {.key = "kind", .kind = choice, .choices = light_kinds,

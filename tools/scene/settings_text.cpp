@@ -30,7 +30,7 @@ std::int64_t read(const Setting& setting, const TomlNode& node, const std::strin
     return read_number(node, called, {setting.fraction, setting.min, setting.max}, error);
 }
 
-std::int64_t default_of(const Setting& setting) { return setting.get(Settings{}); }
+std::int64_t default_of(const Setting& setting) { return setting.get(scene_defaults()); }
 
 ordered_json json_value(const Setting& setting, std::int64_t word) {
     if (setting.kind == SettingKind::whole) return word;
@@ -86,6 +86,13 @@ void apply_settings(const TomlNode& table, Settings& settings, FirstError& error
     }
 }
 
+Settings scene_defaults() {
+    Settings settings;
+    settings.bias_q16 = 5 << 15;
+    settings.bias_unit = shadow::BiasUnit::texels;
+    return settings;
+}
+
 Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective,
                        FirstError& error) {
     const TomlNode none;
@@ -93,7 +100,7 @@ Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool per
     const auto given = [&](std::string_view key) {
         return first.find(key) != nullptr || overrides.find(key) != nullptr;
     };
-    Settings settings;
+    Settings settings = scene_defaults();
     if (perspective && !given("profile") && !given("coefficient_bits"))
         shadow::apply(*shadow::find_profile("perspective24"), settings);
     apply_settings(first, settings, error);

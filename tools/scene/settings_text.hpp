@@ -21,7 +21,13 @@ std::string print_source(const shadow::ProfileValue&);  // "assumed: ...", or th
 // order. After an error the settings are not to be used.
 void apply_settings(const TomlNode& table, shadow::Settings&, FirstError&);
 
-// The defaults, then the [settings] of a file (null: there are none), then the overrides. So a
+// What a scene has that sets nothing: the machine's defaults, and a bias of 2.5 texels of the
+// light. In scenes of spheres on a plane under a near lamp that bias keeps false shadow under 1 %
+// and false light under 10 % with nearest lookup. Bilinear lookup has more false shadow there at
+// every bias, and dither does not change that.
+shadow::Settings scene_defaults();
+
+// The scene's defaults, then the [settings] of a file (null: there are none), then the overrides. So a
 // profile among the overrides replaces the file's profile and the file's keys that profiles set. A
 // perspective view takes the profile perspective24 unless a profile or coefficient_bits is given.
 shadow::Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective,

@@ -134,6 +134,17 @@ raster::Patch read_patch(const TomlNode& node, const Names& names, FirstError& e
 
 }  // namespace
 
+void take_origin(const raster::World& origin, LoadedScene& scene) {
+    const auto take = [&](raster::World& w) {
+        w = {w.x - origin.x, w.y - origin.y, w.z - origin.z};
+    };
+    for (raster::Sphere& sphere : scene.spheres) take(sphere.centre);
+    for (raster::Plane& plane : scene.planes) take(plane.origin);
+    for (raster::Patch& patch : scene.patches)
+        for (raster::World& point : patch.control) take(point);
+    scene.origin = origin;
+}
+
 void append_closed_forms(LoadedScene& scene) {
     for (const raster::Sphere& sphere : scene.spheres) {
         std::array<raster::Patch, raster::patches_per_sphere> made;

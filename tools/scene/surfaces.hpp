@@ -10,6 +10,9 @@ namespace umbra78::tools {
 // they are not to be used.
 void read_surfaces(const TomlNode& root, LoadedScene&, FirstError&);
 
+// Takes `origin` from all places of the surfaces; the differences fit a word.
+void take_origin(const raster::World& origin, LoadedScene&);
+
 // Appends the patches of the spheres and planes, which come before the free ones.
 void append_closed_forms(LoadedScene&);
 

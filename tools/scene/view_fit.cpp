@@ -67,7 +67,7 @@ World box_centre(Patches patches) {
         max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
     });
     const auto middle = [](std::int64_t a, std::int64_t b) {
-        return static_cast<std::int32_t>(fixed::round_shift(a + b, 1, Rounding::half_even));
+        return static_cast<std::int32_t>(fixed::round_shift(a + b, 1, Rounding::floor));
     };
     return {middle(min.x, max.x), middle(min.y, max.y), middle(min.z, max.z)};
 }

@@ -11,7 +11,8 @@ namespace umbra78::tools {
 
 using Patches = std::span<const raster::Patch>;
 
-// The middle of the control points' box, rounded half to even; the origin where there are none.
+// The middle of the control points' box, rounded down, so that it moves with the points;
+// the origin where there are none.
 raster::World box_centre(Patches);
 
 // The least extent, rounded up, whose window holds every control point: orthographic, or in

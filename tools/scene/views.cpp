@@ -61,9 +61,25 @@ std::int32_t rounded_length(std::int64_t x, std::int64_t y, std::int64_t z) {
     return rounded > max ? 0 : static_cast<std::int32_t>(rounded);
 }
 
-void look_from_position(const TableReader& in, View& view) {
+raster::World less(const raster::World& a, const raster::World& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+// A point as given, less the origin; left out, it is the middle of the patches.
+raster::World read_target(const TableReader& in, Patches patches, const raster::World& origin) {
+    return in.find("target") ? less(in.point("target", origin), origin) : box_centre(patches);
+}
+
+bool reaches(const raster::World& from, const raster::World& to) {
+    const auto within = [](std::int64_t a, std::int64_t b) {
+        return std::abs(a - b) <= raster::max_world;
+    };
+    return within(from.x, to.x) && within(from.y, to.y) && within(from.z, to.z);
+}
+
+void look_from_position(const TableReader& in, View& view, const raster::World& origin) {
     const TomlNode& node = in.need("position");
-    const raster::World from = in.needed_point("position");
+    const raster::World from = less(in.needed_point("position"), origin);
     if (in.error().any()) return;
     if (!raster::axes_from_points(from, view.target, view.axes))
         in.report(node, fmt::format("{} is its target, {}; move one of them",
@@ -79,13 +95,30 @@ void look_from_position(const TableReader& in, View& view) {
 
 }  // namespace
 
-raster::View read_observer(const TomlNode& root, Patches patches, FirstError& error) {
+raster::World read_origin(const TomlNode& root, Patches patches, FirstError& error) {
+    const TomlNode none{.where = root.where};
+    const TomlNode *observer = root.find("observer"), *light = root.find("light");
+    const TableReader in(observer ? *observer : none, scene_table("observer"), error);
+    if (in.choice("recentre") != 0) return {};
+    const raster::World origin = read_target(in, patches, {});
+    FirstError later;  // the light's errors are read_light()'s
+    const TableReader of_light(light ? *light : none, scene_table("light"), later);
+    bool holds = true;
+    for (const char* key : {"target", "position"})
+        holds = holds && reaches(of_light.point(key, origin), origin);
+    for (const raster::Patch& patch : patches)
+        for (const raster::World& point : patch.control) holds = holds && reaches(point, origin);
+    return holds && !error.any() && !later.any() ? origin : raster::World{};
+}
+
+raster::View read_observer(const TomlNode& root, Patches patches, const raster::World& origin,
+                           FirstError& error) {
     const TomlNode none{.where = root.where};
     const TomlNode* node = root.find("observer");
     const TableReader in(node ? *node : none, scene_table("observer"), error);
     View view;
     view.projection = static_cast<Projection>(in.choice("projection"));
-    view.target = in.point("target", box_centre(patches));
+    view.target = read_target(in, patches, origin);
     look_by_angles(in, view);
     if (view.projection == Projection::perspective)
         view.distance = static_cast<std::int32_t>(in.needed_number("distance"));
@@ -95,7 +128,8 @@ raster::View read_observer(const TomlNode& root, Patches patches, FirstError& er
     return view;
 }
 
-raster::View read_light(const TomlNode& root, Patches patches, FirstError& error) {
+raster::View read_light(const TomlNode& root, Patches patches, const raster::World& origin,
+                        FirstError& error) {
     View view;
     const TomlNode* node = root.find("light");
     if (!node) {
@@ -103,7 +137,7 @@ raster::View read_light(const TomlNode& root, Patches patches, FirstError& error
         return view;
     }
     const TableReader in(*node, scene_table("light"), error);
-    view.target = in.point("target", box_centre(patches));
+    view.target = read_target(in, patches, origin);
     if (in.choice("kind") == 0) {
         refuse(in, "position", "kind", "point");
         in.need("azimuth");
@@ -112,7 +146,7 @@ raster::View read_light(const TomlNode& root, Patches patches, FirstError& error
         refuse(in, "azimuth", "kind", "directional");
         refuse(in, "elevation", "kind", "directional");
         view.projection = Projection::perspective;
-        look_from_position(in, view);
+        look_from_position(in, view, origin);
     }
     fit(in, view, patches);
     return view;

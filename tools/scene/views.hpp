@@ -7,11 +7,17 @@
 
 namespace umbra78::tools {
 
+// What is taken from all places of the scene: the observer's target, or 0 if observer.recentre is
+// "off" or a control point, the light's target or its position would leave -32766 .. 32766.
+raster::World read_origin(const TomlNode& root, Patches, FirstError&);
+
+// The origin is taken from the views' places; it has been taken from the patches.
 // [observer]; if it is left out, a view from the front that shows the whole scene.
-raster::View read_observer(const TomlNode& root, Patches, FirstError&);
+raster::View read_observer(const TomlNode& root, Patches, const raster::World& origin,
+                           FirstError&);
 
 // [light]: its kind "directional" makes an orthographic view, "point" a perspective one.
-raster::View read_light(const TomlNode& root, Patches, FirstError&);
+raster::View read_light(const TomlNode& root, Patches, const raster::World& origin, FirstError&);
 
 // Moves the overrides observer.KEY and light.KEY into the tree, in place of what the file says.
 // Returns the others, the settings, as a table.

@@ -1,6 +1,7 @@
 #include "tools/scene/word_checks.hpp"
 
 #include "raster/projection.hpp"
+#include "tools/scene/settings_text.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +71,7 @@ public:
         const double scale =
             half_ / q16(view_.extent) * (perspective(view_) ? eye / depth : 1);
         const double z = perspective(view_)
-                             ? ((far_ + near_) * depth - 2 * far_ * near_) / ((far_ - near_) * depth)
+                             ? ((far_ + near_) - 2 * far_ * near_ / depth) / (far_ - near_)
                              : 2 * (depth - near_) / (far_ - near_) - 1;
         return {scale * along(view_.axes.right), -scale * along(view_.axes.up), half_ * z, depth};
     }
@@ -95,15 +96,32 @@ void for_points(const LoadedScene& scene, Visit visit) {
     }
 }
 
-double off(const Real4& a, const Real4& b) {
-    const double d = std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1]));
-    return std::isfinite(d) ? d : HUGE_VAL;
+// How far a point is from where it should be in a view: in pixels at the point's depth, aside
+// and along the depth. `exact` is as ExactView gives it.
+struct Offset {
+    double aside = 0, in_depth = 0;
+
+    double max() const { return std::max(aside, in_depth); }
+    void widen(const Offset& other) {
+        aside = std::max(aside, other.aside);
+        in_depth = std::max(in_depth, other.in_depth);
+    }
+};
+
+Offset offset(const Real4& made, const Real4& exact, const View& view) {
+    const double near = q16(view.near_depth), far = q16(view.far_depth), depth = exact[3];
+    // Pixels of the cube's Z that a pixel at the point's depth is.
+    const double z = 2 * q16(view.extent) / (far - near) *
+                     (perspective(view) ? far * near / (depth * q16(view.distance)) : 1);
+    Offset off{std::max(std::abs(made[0] - exact[0]), std::abs(made[1] - exact[1])),
+               std::abs(made[2] - exact[2]) / z};
+    if (!std::isfinite(off.aside) || !std::isfinite(off.in_depth)) off = {HUGE_VAL, HUGE_VAL};
+    return off;
 }
 
-std::string bits_remedy(const LoadedScene& scene) {
-    return scene.settings.machine.coefficient_bits < 24
-               ? "set coefficient_bits = 24, or bring the scene nearer to the target"
-               : "bring the scene nearer to the target, or make it smaller";
+std::string of_offset(const Offset& off, std::string_view unit) {
+    return fmt::format("{:.3g} {} {}", off.max(), unit,
+                       off.aside >= off.in_depth ? "aside" : "in depth");
 }
 
 void warn_of_view(const LoadedScene& scene, const View& view, const hw::MatrixWords& words,
@@ -111,17 +129,18 @@ void warn_of_view(const LoadedScene& scene, const View& view, const hw::MatrixWo
     const hw::MachineSpec& spec = scene.settings.machine;
     const RealMatrix machine = real(words, spec, object);
     const ExactView exact(view, spec);
-    double max = 0;
+    Offset max;
     for_points(scene, [&](const Real4& p) {
         const Real4 seen = exact(p);
-        if (exact.shows(seen)) max = std::max(max, off(machine(p), seen));
+        if (exact.shows(seen)) max.widen(offset(machine(p), seen, view));
     });
-    if (max > 1)
-        warnings.push_back(
-            {"view_matrix", max,
-             fmt::format("{}'s view moves surfaces by up to {:.3g} pixels: its matrix shares the "
-                         "{} bits of a word between the rotation and a large translation; {}",
-                         name, max, spec.coefficient_bits, bits_remedy(scene))});
+    if (max.max() <= 1) return;
+    const std::string remedy = spec.coefficient_bits < 24 ? "set coefficient_bits = 24, or " : "";
+    warnings.push_back(
+        {"view_matrix", max.max(),
+         fmt::format("the {}'s matrix moves surfaces by up to {}: the large translation of a row "
+                     "takes the bits of its rotation; {}set {}.target near what it shows", name,
+                     of_offset(max, "pixels"), remedy, name)});
 }
 
 void warn_of_shadow(const LoadedScene& scene, const shadow::LightMatrices& matrices,
@@ -130,33 +149,22 @@ void warn_of_shadow(const LoadedScene& scene, const shadow::LightMatrices& matri
     const RealMatrix machine = real(matrices.observer_to_light, spec, hw::screen_words(spec));
     const ExactView observer(scene.observer, spec), light(scene.light, spec);
     const double bias = std::ldexp(q16(matrices.bias_quanta_q16), -spec.depth_fraction());
-    double max = 0, max_z = 0;
+    Offset max;
     for_points(scene, [&](const Real4& p) {
         Real4 from = observer(p);
         Real4 to = light(p);
         if (!observer.shows(from) || !light.shows(to)) return;
         from[3] = 1;
         to[2] -= bias;
-        const Real4 made = machine(from);
-        max = std::max(max, off(made, to));
-        // A texel along the light's view, in its Z.
-        const double depth = to[3], extent = q16(scene.light.extent);
-        const double range = q16(scene.light.far_depth) - q16(scene.light.near_depth);
-        const double texel_z =
-            perspective(scene.light)
-                ? q16(scene.light.far_depth) * q16(scene.light.near_depth) * 2 * extent /
-                      (range * depth * q16(scene.light.distance))
-                : 2 * extent / range;
-        if (std::abs(made[2] - to[2]) > std::abs(bias))
-            max_z = std::max(max_z, std::abs(made[2] - to[2]) / texel_z);
+        max.widen(offset(machine(from), to, scene.light));
     });
-    if (max > 1 || max_z > 1)
-        warnings.push_back(
-            {"shadow_matrix", std::max(max, max_z),
-             fmt::format("the matrix from observer to light moves points by up to {:.3g} texels "
-                         "of the depth map, {}: its {} bits do not hold these views; {}",
-                         std::max(max, max_z), max >= max_z ? "aside" : "in depth",
-                         spec.coefficient_bits, bits_remedy(scene))});
+    if (max.max() <= 1) return;
+    warnings.push_back(
+        {"shadow_matrix", max.max(),
+         fmt::format("the matrix from observer to light moves points by up to {}: its {} bits do "
+                     "not hold both views; {}bring observer.extent and light.extent nearer each "
+                     "other", of_offset(max, "texels of the depth map"), spec.coefficient_bits,
+                     spec.coefficient_bits < 24 ? "set coefficient_bits = 24, or " : "")});
 }
 
 void warn_of_objects(const LoadedScene& scene, hw::WordFormat object, Warnings& warnings) {
@@ -169,14 +177,15 @@ void warn_of_objects(const LoadedScene& scene, hw::WordFormat object, Warnings& 
     });
     warnings.push_back(
         {"object_words", steps,
-         fmt::format("a control point {:.5g} units off makes a step of all places {:.3g} units, "
-                     "{:.3g} pixels: surfaces smaller than that are crushed; bring all of the "
-                     "scene within {:.3g} units, or raise observer.extent",
-                     reach, step, steps,
+         fmt::format("a control point {:.5g} units from the {} makes a step of all places {:.3g} "
+                     "units, {:.3g} pixels: surfaces smaller than that are crushed; bring all of the "
+                     "scene within {:.3g} units of it, or raise observer.extent",
+                     reach, scene.origin == raster::World{} ? "origin" : "target", step, steps,
                      std::max(1.0, std::exp2(std::floor(std::log2(reach / steps)))))});
 }
 
-void warn_of_order(const LoadedScene& scene, const View& view, const std::string& name,
+// False if there is an order.
+bool warn_of_order(const LoadedScene& scene, const View& view, const std::string& name,
                    Warnings& warnings) {
     const hw::MachineSpec& spec = scene.settings.machine;
     const double near = q16(view.near_depth), far = q16(view.far_depth);
@@ -184,13 +193,13 @@ void warn_of_order(const LoadedScene& scene, const View& view, const std::string
     const double step = std::ldexp(far - near, -spec.z_bits) *
                         (perspective(view) ? at * at / (far * near) : 1);
     const double steps = step / pixel(view, spec);
-    if (steps <= 2) return;
+    if (steps <= 4) return false;
     View whole = view;
     raster::fit_depth(whole, raster::depth_range(view, scene.patches));
     const bool as_fitted = whole.near_depth == view.near_depth && whole.far_depth == view.far_depth;
     warnings.push_back(
         {"depth_order", steps,
-         fmt::format("a step of {}'s Z is {:.3g} units at its target, {:.3g} pixels: surfaces "
+         fmt::format("a step of the {}'s Z is {:.3g} units at its target, {:.3g} pixels: surfaces "
                      "nearer to each other have no order; {}",
                      name, step, steps,
                      as_fitted ? std::string(spec.z_bits < 24 ? "set z_bits = 24, or make the "
@@ -199,6 +208,7 @@ void warn_of_order(const LoadedScene& scene, const View& view, const std::string
                                : fmt::format("set {0}.near = {1:.4g} and {0}.far = {2:.4g}, or "
                                              "leave both out",
                                              name, q16(whole.near_depth), q16(whole.far_depth)))});
+    return true;
 }
 
 void warn_of_bias(const LoadedScene& scene, const shadow::LightMatrices& matrices,
@@ -213,9 +223,9 @@ void warn_of_bias(const LoadedScene& scene, const shadow::LightMatrices& matrice
     warnings.push_back(
         {"bias", texels,
          fmt::format("the bias is {:.3g} texels of the depth map, {:.3g} units: shadows begin "
-                     "that far from what casts them; set bias = {} and bias_unit = \"texels\"",
+                     "that far from what casts them; set bias = {:.3g} and bias_unit = \"texels\"",
                      texels, q16(matrices.bias_quanta_q16) * step,
-                     "2.5")});
+                     q16(scene_defaults().bias_q16))});
 }
 
 }  // namespace
@@ -228,9 +238,10 @@ void warn_of_words(const LoadedScene& scene, Warnings& warnings) {
                  warnings);
     warn_of_view(scene, scene.light, matrices.lights[0].world_to_light, matrices.object, "light",
                  warnings);
-    warn_of_shadow(scene, matrices.lights[0], warnings);
-    warn_of_order(scene, scene.observer, "observer", warnings);
-    warn_of_order(scene, scene.light, "light", warnings);
+    // Without an order in depth no matrix moves a point to the right depth.
+    const bool observer = warn_of_order(scene, scene.observer, "observer", warnings);
+    const bool light = warn_of_order(scene, scene.light, "light", warnings);
+    if (!observer && !light) warn_of_shadow(scene, matrices.lights[0], warnings);
     warn_of_bias(scene, matrices.lights[0], warnings);
 }
 

@@ -62,7 +62,16 @@ std::vector<Covered> coverage_image(const Truth& truth, const Buffer& depths,
     const Walk walk(truth, depths, view);
     std::vector<Covered> image(truth.visible.size());
     for (std::size_t at = 0; at < image.size(); ++at) image[at] = walk.at(at);
-    return image;
+    std::vector<Covered> kept = image;
+    for (std::size_t at = 0; at < image.size(); ++at) {
+        if (image[at] != Covered::misplaced) continue;
+        int misplaced = 0;  // itself among them
+        for_disc(truth.size, at, 1.5, [&](std::size_t other) {
+            misplaced += image[other] == Covered::misplaced;
+        });
+        if (misplaced == 1) kept[at] = Covered::right;
+    }
+    return kept;
 }
 
 Coverage coverage(const Truth& truth, const Buffer& depths, const std::vector<Covered>& image) {

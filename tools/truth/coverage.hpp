@@ -7,7 +7,8 @@
 //              neighbours, or the machine draws in none of them
 //   extra      the same with truth and machine exchanged
 //   misplaced  both see one, all 9 pixels are of one surface in truth, and the machine's depth is
-//              not within the depths of the 9, widened on either side by their range and 4 codes
+//              not within the depths of the 9, widened on either side by their range and 4 codes;
+//              and one of the 8 neighbours is misplaced, too (the tip of a fold is not)
 // The frame's border is taken to continue.
 #pragma once
 

@@ -1,5 +1,18 @@
 #include "tools/truth/patch_truth.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+namespace umbra78::tools {
+
+int cells_within_budget(std::size_t patches, int cells) {
+    const double quads = static_cast<double>(max_patch_triangles) / 2 /
+                         static_cast<double>(std::max<std::size_t>(patches, 1));
+    return std::clamp(static_cast<int>(std::sqrt(quads)), 2, cells);
+}
+
+}  // namespace umbra78::tools
+
 #ifdef UMBRA78_EMBREE
 
 #if UMBRA78_EMBREE == 3
@@ -8,10 +21,8 @@
 #include <embree4/rtcore.h>
 #endif
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <stdexcept>
+#include <new>
 #include <vector>
 
 namespace umbra78::tools {
@@ -100,14 +111,13 @@ class Triangles {
 public:
     Triangles(std::span<const RealPatch> patches, int cells)
         : cells_(cells), device_(rtcNewDevice(nullptr)) {
-        if (!device_) throw std::runtime_error("Embree has no device");
+        if (!device_) throw std::bad_alloc();
         scene_.reset(rtcNewScene(device_.get()));
         // Rays do not slip through between two triangles.
         rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
         for (const RealPatch& patch : patches) add(patch);
         rtcCommitScene(scene_.get());
-        if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
-            throw std::runtime_error("Embree could not hold the patches' triangles");
+        if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::bad_alloc();
     }
 
     struct Hit {
@@ -175,7 +185,7 @@ private:
         auto* corner = static_cast<unsigned*>(
             rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                     3 * sizeof(unsigned), 2 * quads));
-        if (!place || !corner) throw std::runtime_error("Embree is out of memory");
+        if (!place || !corner) throw std::bad_alloc();
         for (int j = 0; j <= cells_; ++j)
             for (int i = 0; i <= cells_; ++i)
                 for (const double x : patch.point(double(i) / cells_, double(j) / cells_).at)
@@ -276,10 +286,12 @@ PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
 }  // namespace
 
 std::optional<PatchTruth> trace_patches(std::span<const raster::Patch> patches,
-                                        const TruthView& view, const TruthLight& light, int cells) {
+                                        const TruthView& view, const TruthLight& light,
+                                        int cells) try {
+    cells = cells_within_budget(patches.size(), cells);
     const std::vector<RealPatch> real(patches.begin(), patches.end());
     PatchTruth made = trace_once(real, view, light, cells);
-    const Truth coarse = trace_once(real, view, light, cells / 2).truth;
+    const Truth coarse = trace_once(real, view, light, std::max(cells / 2, 1)).truth;
     std::size_t changed = 0;
     for (std::size_t at = 0; at < coarse.visible.size(); ++at)
         changed += coarse.visible[at] != made.truth.visible[at] ||
@@ -287,6 +299,8 @@ std::optional<PatchTruth> trace_patches(std::span<const raster::Patch> patches,
     made.estimated_error =
         static_cast<double>(changed) / static_cast<double>(coarse.visible.size());
     return made;
+} catch (const std::bad_alloc&) {
+    return std::nullopt;
 }
 
 bool traces_patches() { return true; }

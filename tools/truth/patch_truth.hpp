@@ -20,6 +20,11 @@
 namespace umbra78::tools {
 
 inline constexpr int default_patch_cells = 64;
+// Embree takes about 110 bytes a triangle, so these are some 460 MB. Scenes of more than 512 patches
+// get fewer cells a patch: 5 for 60 000.
+inline constexpr std::size_t max_patch_triangles = std::size_t{1} << 22;
+// The cells a patch that so many patches get, at least 2.
+int cells_within_budget(std::size_t patches, int cells);
 
 struct PatchTruth {
     Truth truth;             // `surface` is the patch's index
@@ -27,7 +32,8 @@ struct PatchTruth {
     double shadow_offset;    // from the surface to where shadow rays start, world units
 };
 
-// cells >= 2. Nothing where the program is built without Embree.
+// cells >= 2; more than cells_within_budget() are cut to it. Nothing where the program is built
+// without Embree, or where there is no memory for the triangles.
 std::optional<PatchTruth> trace_patches(std::span<const raster::Patch>, const TruthView&,
                                         const TruthLight&, int cells = default_patch_cells);
 

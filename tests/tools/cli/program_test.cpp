@@ -240,8 +240,8 @@ TEST_F(Program, HelpHasTheRangesOfTheManual) {
         {"multipliers", "1 .. 16 multipliers; default 4"},
         {"lookup", "nearest, bilinear; default nearest"},
         {"registration", "centre, index; default centre"},
-        {"bias", "-16777216 .. 16777216 bias_unit; default 64"},
-        {"bias_unit", "quanta, texels, world; default quanta"},
+        {"bias", "-16777216 .. 16777216 bias_unit; default 2.5"},
+        {"bias_unit", "quanta, texels, world; default texels"},
         {"dither", "none, uniform, triangular, normal4, normal; default none"},
         {"dequantize", "0 .. 6 passes; default 0"},
     };

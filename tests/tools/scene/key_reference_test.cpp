@@ -56,7 +56,7 @@ TEST(SceneKeys, EveryRowIsRead) {
             ++rows;
         }
     }
-    EXPECT_EQ(rows, 29);
+    EXPECT_EQ(rows, 30);
 }
 
 std::string decimal(std::int64_t word, int fraction) {

@@ -1,4 +1,5 @@
 // Scene files: their words, what is fitted where nothing is given, and what is warned of.
+#include "tools/scene/checks.hpp"
 #include "tools/scene/scene_file.hpp"
 
 #include "shadow/frame/paper_figures.hpp"
@@ -22,6 +23,7 @@ LoadedScene parsed(std::string_view text, const Texts& set = {}) {
 const std::string figures_path = UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml";
 
 constexpr const char* unit_ball = "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n";
+const Texts as_written{"observer.recentre=off"};  // places stay where they are
 constexpr const char* left_light = "[light]\nazimuth = -100\n";
 
 bool same(const raster::View& a, const raster::View& b) {
@@ -51,7 +53,7 @@ TEST(SceneFile, TheFiguresFileSaysWhatThePaperFiguresSay) {
     for (const shadow::Setting& s : shadow::settings_table())
         EXPECT_EQ(s.get(scene.settings), s.get(shadow::figure_settings(6))) << s.key;
     EXPECT_EQ(scene.free_patches, 0u);
-    EXPECT_EQ(scene.warnings, Texts{});
+    EXPECT_EQ(lines_of(scene.warnings), Texts{});
 }
 
 // Half to even in the last place of 2^-16, at any length, in every notation TOML has for a
@@ -78,13 +80,15 @@ TEST(SceneFile, DecimalsAreExact) {
                                  "\", radius = 0.5, centre = [" + text + ", 0, 0] }]\n";
         const std::string material =
             std::string("material = [{name = \"") + two_and_three_bytes + "\"}]\n";
-        EXPECT_EQ(parsed(ball + material + left_light).spheres.at(0).centre.x, word) << text;
+        EXPECT_EQ(parsed(ball + material + left_light, as_written).spheres.at(0).centre.x, word)
+            << text;
     }
 }
 
 TEST(SceneFile, AByteOrderMarkAndCarriageReturnsMoveNothing) {
     const LoadedScene scene = parsed("\xEF\xBB\xBF[light]\r\nazimuth = -12.5\r\n"
-                                     "[[sphere]]\r\ncentre=[1.5, 0, 0]\r\nradius=0.25\r\n");
+                                     "[[sphere]]\r\ncentre=[1.5, 0, 0]\r\nradius=0.25\r\n",
+                                     as_written);
     EXPECT_EQ(scene.spheres.at(0).radius, 1 << 14);
     EXPECT_EQ(scene.spheres.at(0).centre.x, 3 << 15);
 }
@@ -92,13 +96,14 @@ TEST(SceneFile, AByteOrderMarkAndCarriageReturnsMoveNothing) {
 TEST(SceneFile, ViewsAreFittedToTheScene) {
     const std::string text = "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n";
     const LoadedScene scene = parsed(text + left_light);
-    EXPECT_EQ(scene.observer.target, (raster::World{3 << 16, 0, 0}));
+    EXPECT_EQ(scene.origin, (raster::World{3 << 16, 0, 0}));  // recentred
+    EXPECT_EQ(scene.observer.target, raster::World{});
     EXPECT_EQ(scene.light.target, scene.observer.target);
     EXPECT_EQ(scene.observer.extent, 1 << 16);  // from the front a ball's control box is the ball
     EXPECT_GT(scene.light.extent, 1 << 16);
     EXPECT_LT(scene.light.extent, (1 << 16) * 107 / 100);  // control points stand 6.8 % off
     EXPECT_EQ(scene.observer.near_depth, -scene.observer.far_depth);
-    EXPECT_EQ(scene.warnings, Texts{});
+    EXPECT_EQ(lines_of(scene.warnings), Texts{});
 
     const LoadedScene given = parsed(text + left_light + "extent = 5\nfar = 7.5\n");
     EXPECT_EQ(given.light.extent, 5 << 16);
@@ -117,7 +122,7 @@ TEST(SceneFile, APointLightLooksAtTheSceneFromItsPlace) {
     EXPECT_GT(scene.light.near_depth, 3 << 16);
     EXPECT_LT(scene.light.far_depth, 7 << 16);
     EXPECT_EQ(scene.settings.machine.coefficient_bits, 24);  // profile perspective24
-    EXPECT_EQ(scene.warnings, Texts{});
+    EXPECT_EQ(lines_of(scene.warnings), Texts{});
 }
 
 TEST(SceneFile, PerspectiveTakesItsProfileUnlessOneIsGiven) {
@@ -146,9 +151,10 @@ TEST(SceneFile, PlanesAndPatchesAreRead) {
         rows += "],\n";
     }
     const std::string plane = "[[plane]]\norigin=[0,-1,0]\nu=[3,0,0]\nv=[0,0,-3]\n";
-    const LoadedScene by_rows = parsed(plane + "[[patch]]\ncontrol=[" + rows + "]\n" + left_light);
+    const LoadedScene by_rows =
+        parsed(plane + "[[patch]]\ncontrol=[" + rows + "]\n" + left_light, as_written);
     const LoadedScene by_points =
-        parsed(plane + "[[patch]]\ncontrol=[" + flat + "]\n" + left_light);
+        parsed(plane + "[[patch]]\ncontrol=[" + flat + "]\n" + left_light, as_written);
     ASSERT_EQ(by_rows.patches.size(), 2u);
     EXPECT_EQ(by_rows.free_patches, 1u);
     EXPECT_EQ(by_rows.planes.at(0).u, (raster::World{3 << 16, 0, 0}));
@@ -183,7 +189,7 @@ TEST(SceneFile, SetReachesTheViews) {
     EXPECT_EQ(scene.light.axes.back,
               raster::axes_from_angles(-79 * 65536 - 32768, 0).back);
     EXPECT_EQ(scene.light.extent, 3 << 16);
-    EXPECT_EQ(scene.observer.target, (raster::World{0, 1 << 16, 0}));
+    EXPECT_EQ(scene.observer.target, (raster::World{0, 1 << 16, 0}));  // the file is not recentred
     EXPECT_EQ(scene.observer.distance, 17 << 15);
     // Of a light that becomes a point the file's angles are left aside.
     EXPECT_EQ(load_scene(figures_path, Texts{"light.kind=point", "light.position=[0,0,9]"})
@@ -196,26 +202,26 @@ TEST(SceneFile, SetReachesTheViews) {
 TEST(SceneFile, WarnsOfWhatTheViewsDoNotHold) {
     const std::string text = std::string(unit_ball) + left_light;
     const auto warning = [&](const Texts& set) {
-        const Texts all = parsed(text, set).warnings;
+        const Texts all = lines_of(parsed(text, set).warnings);
         return all.empty() ? "" : all.front() + (all.size() > 1 ? " and more" : "");
     };
     EXPECT_EQ(warning({"light.extent=0.5"}),
               "a.toml: 32 of 32 patches reach out of the light's picture and may cast no shadow; "
               "light.extent = 1.03087 holds them, or leave it out");
     EXPECT_EQ(warning({"light.near=0"}),
-              "a.toml: 20 of 32 patches reach out of the light's near .. far and may cast no "
-              "shadow; light.near = -1.03088 and light.far = 1.03088 hold them, or leave both out");
+              "a.toml: 20 of 32 patches are in the light's window from depth -1 on, nearer than "
+              "near = 0, and may cast no shadow; set light.near = -1.011, or leave near and far out");
     EXPECT_EQ(warning({"observer.far=0.5"}),
-              "a.toml: 12 of 32 patches are cut off by the observer's near .. far; observer.near = "
-              "-1.00002 and observer.far = 1.00002 hold them, or leave both out");
+              "a.toml: 12 of 32 patches are in the observer's window to depth 1, farther than far "
+              "= 0.5, and are cut off; set observer.far = 1.02, or leave near and far out");
     EXPECT_EQ(warning({"observer.target=[9, 0, 0]"}), "");  // fitted to hold it
     EXPECT_EQ(warning({"observer.extent=0.01"}),
               "a.toml: every patch reaches out of the picture; observer.extent = 1 shows the whole "
-              "scene, or leave it out");
+              "scene, or leave it out and more");  // object words are coarser than these pixels
     EXPECT_EQ(warning({"light.kind=point", "light.position=[0.5, 0, 0]"}),
               "a.toml: 16 of 32 patches lie beside or behind the light and cast no shadow; move "
               "light.position out of the scene");
-    EXPECT_EQ(parsed(left_light).warnings,
+    EXPECT_EQ(lines_of(parsed(left_light).warnings),
               Texts{"a.toml: nothing is drawn: there is no [[sphere]], [[plane]] or [[patch]]"});
 }
 

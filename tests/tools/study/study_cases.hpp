@@ -32,6 +32,7 @@ radius  = 1.5
 [settings]
 xy_bits = 7
 bias    = 64
+bias_unit = "quanta"
 )");
 }
 

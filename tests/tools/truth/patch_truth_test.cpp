@@ -32,6 +32,15 @@ Band near_an_edge(const Truth& truth) {
     return band;
 }
 
+TEST(PatchTruth, ManyPatchesGetFewerCells) {
+    EXPECT_EQ(cells_within_budget(1, 64), 64);
+    EXPECT_EQ(cells_within_budget(512, 64), 64);
+    EXPECT_EQ(cells_within_budget(513, 64), 63);
+    EXPECT_EQ(cells_within_budget(60000, 64), 5);
+    EXPECT_EQ(cells_within_budget(60000, 4), 4);
+    EXPECT_EQ(cells_within_budget(10'000'000, 64), 2);
+}
+
 int count(const Band& band) { return static_cast<int>(std::count(band.begin(), band.end(), 1)); }
 
 TEST(PatchTruth, AgreesWithTheClosedFormOfSpheres) {

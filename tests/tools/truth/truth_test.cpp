@@ -204,6 +204,31 @@ TEST(Truth, AgreesWithMarchingAlongTheRay) {
     EXPECT_LE(differing, cases / 1000) << "seed " << seed;  // a march may step over an edge
 }
 
+// The eye in a closed room: its normals point inward, a lamp inside lights all of it, and no light
+// from outside reaches it.
+TEST(Truth, ASphereSeenFromInsideIsLitFromInsideOnly) {
+    const TruthScene room{{{{0, 0, 0}, 10.0}}, {}};
+    TruthView view = front_view(32, 3);
+    view.perspective = true;
+    view.distance = 6;
+    view.near_depth = 0.01;
+    const Truth inside = trace(room, view, {true, {}, {0, 5, 0}});
+    EXPECT_EQ(total(inside.visible), 32 * 32);
+    EXPECT_EQ(total(inside.lit), 32 * 32);
+    const std::size_t centre = 16 * 32 + 16;
+    EXPECT_NEAR(inside.depth[centre], 16, 0.01);
+    EXPECT_NEAR(inside.normal[centre][2], 1, 0.01);
+    for (const TruthLight& outside : {TruthLight{true, {}, {0, 50, 0}}, light_at_azimuth(0),
+                                      light_at_azimuth(180)})
+        EXPECT_EQ(total(trace(room, view, outside).lit), 0);
+    // A ball in the room throws its shadow on the wall.
+    TruthScene with_ball = room;
+    with_ball.spheres.push_back({{0, 0, -5}, 1});
+    const Truth shadowed = trace(with_ball, view, {true, {}, {0, 5, 0}});
+    EXPECT_GT(total(shadowed.visible) - total(shadowed.lit), 10);
+    EXPECT_EQ(shadowed.lit[0], 1);
+}
+
 TEST(Truth, NothingInTheSceneIsNothingSeen) {
     const Truth truth = trace({}, front_view(16, 1), light_at_azimuth(0));
     EXPECT_EQ(total(truth.visible), 0);

@@ -10,6 +10,7 @@ namespace umbra78::tools::study {
 
 const std::string_view slanted_plane = R"([observer]
 projection = "orthographic"
+target     = [0, 0, 0]
 extent     = 2
 
 [light]

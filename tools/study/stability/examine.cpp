@@ -101,8 +101,12 @@ bool sane_mask(const RenderJob& job) {
     return true;
 }
 
+// The cases' scenes stand where they are written, and their bias is in quanta.
+const std::vector<std::string> as_written{"bias=64", "bias_unit=quanta", "observer.recentre=off"};
+
 std::vector<std::string> overrides(const FrameCase& c, const Effort& effort) {
-    std::vector<std::string> set{fmt::format("xy_bits={}", effort.xy_bits())};
+    std::vector<std::string> set = as_written;
+    set.push_back(fmt::format("xy_bits={}", effort.xy_bits()));
     set.insert(set.end(), c.set.begin(), c.set.end());
     return set;
 }
@@ -152,7 +156,9 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
 
 std::string frame_status(const std::string& text, const std::vector<std::string>& set) {
     try {
-        const LoadedScene scene = parse_scene(text, "case", set);
+        std::vector<std::string> all = as_written;
+        all.insert(all.end(), set.begin(), set.end());
+        const LoadedScene scene = parse_scene(text, "case", all);
         shadow::FrameMatrices matrices;
         return name_of(shadow::load_matrices(scene.view(), scene.settings, matrices));
     } catch (const SceneError& refusal) {
