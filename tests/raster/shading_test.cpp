@@ -95,6 +95,8 @@ TEST(Shading, OfCoincidentControlPointsIsTheFlatBlocks) {
     for (Component& c : tip) {
         c.f[3] = c.f[2];
         c.gu[2] = c.gu[3] = 0;
+        c.gv[1] = 3 * (c.f[3] - c.f[1]) / 4;
+        c.gv[3] = -c.gv[1];
     }
     EXPECT_GT(BlockShading(tip, spec, matt).level(8, 15, false), 70);
 }

@@ -88,7 +88,7 @@ void apply_settings(const TomlNode& table, Settings& settings, FirstError& error
 
 Settings scene_defaults() {
     Settings settings;
-    settings.bias_q16 = 5 << 15;
+    settings.bias_q16 = 2 << 16;
     settings.bias_unit = shadow::BiasUnit::texels;
     return settings;
 }

@@ -21,7 +21,7 @@ std::string print_source(const shadow::ProfileValue&);  // "assumed: ...", or th
 // order. After an error the settings are not to be used.
 void apply_settings(const TomlNode& table, shadow::Settings&, FirstError&);
 
-// What a scene has that sets nothing: the machine's defaults, and a bias of 2.5 texels of the
+// What a scene has that sets nothing: the machine's defaults, and a bias of 2 texels of the
 // light. In scenes of spheres on a plane under a near lamp that bias keeps false shadow under 1 %
 // and false light under 10 % with nearest lookup. Bilinear lookup has more false shadow there at
 // every bias, and dither does not change that.

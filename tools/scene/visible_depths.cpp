@@ -7,7 +7,8 @@
 namespace umbra78::tools {
 namespace {
 
-constexpr int deepest_level = 10;  // 5 halvings in each direction
+constexpr int deepest_level = 48;   // halvings
+constexpr double small_part = 1.0 / 32;
 
 // In the view: x and y over the half width of the window at depth 1 (orthographic: at any depth).
 struct Point {
@@ -101,7 +102,7 @@ private:
                 cut_.farthest = std::max(cut_.farthest, p.depth);
             }
         }
-        if (level == deepest_level) return;
+        if (level == deepest_level || is_small(net, first->depth, last->depth)) return;
         Net low, high;
         for (std::size_t k = 0; k < 4; ++k) {
             if (level % 2 == 0) halve_row(net, low, high, 4 * k, 1);
@@ -109,6 +110,16 @@ private:
         }
         look(low, level + 1);
         look(high, level + 1);
+    }
+
+    bool is_small(const Net& net, double first, double last) const {
+        const double wide = 2 * (perspective_ ? std::max(first, 0.0) : 1) * small_part;
+        const auto [left, right] = std::minmax_element(
+            net.begin(), net.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+        const auto [low, high] = std::minmax_element(
+            net.begin(), net.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
+        return right->x - left->x <= wide && high->y - low->y <= wide &&
+               (!perspective_ || last - first <= first * small_part);
     }
 
     const raster::View& view_;

@@ -134,7 +134,7 @@ void warn_of_view(const LoadedScene& scene, const View& view, const hw::MatrixWo
         const Real4 seen = exact(p);
         if (exact.shows(seen)) max.widen(offset(machine(p), seen, view));
     });
-    if (max.max() <= 1) return;
+    if (max.max() <= 0.25) return;
     const std::string remedy = spec.coefficient_bits < 24 ? "set coefficient_bits = 24, or " : "";
     warnings.push_back(
         {"view_matrix", max.max(),
@@ -158,7 +158,7 @@ void warn_of_shadow(const LoadedScene& scene, const shadow::LightMatrices& matri
         to[2] -= bias;
         max.widen(offset(machine(from), to, scene.light));
     });
-    if (max.max() <= 1) return;
+    if (max.max() <= 0.25) return;
     warnings.push_back(
         {"shadow_matrix", max.max(),
          fmt::format("the matrix from observer to light moves points by up to {}: its {} bits do "
@@ -219,7 +219,7 @@ void warn_of_bias(const LoadedScene& scene, const shadow::LightMatrices& matrice
     const double step = std::ldexp(far - near, -spec.z_bits) *
                         (perspective(light) ? at * at / (far * near) : 1);
     const double texels = q16(matrices.bias_quanta_q16) * step / pixel(light, spec);
-    if (std::abs(texels) <= 4) return;
+    if (std::abs(texels) <= 4.01) return;  // 4 as it is rounded
     warnings.push_back(
         {"bias", texels,
          fmt::format("the bias is {:.3g} texels of the depth map, {:.3g} units: shadows begin "

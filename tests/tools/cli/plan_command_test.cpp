@@ -68,7 +68,9 @@ TEST_F(Program, PlanOfALightThatMeetsNothing) {
     for (const char* key : {"light_map", "post_process", "dequantize", "low_pass", "composite"})
         EXPECT_TRUE(omission(report, key)["left_out"]) << key;
     EXPECT_EQ(omission(report, "light_map")["why"], "every patch lies outside the light's view");
-    EXPECT_EQ(report["warnings"].size(), 1u);
+    ASSERT_EQ(report["warnings"].size(), 2u);
+    EXPECT_EQ(report["warnings"][0]["key"], "light_window");
+    EXPECT_EQ(report["warnings"][1]["key"], "bias");
 }
 
 TEST_F(Program, PlanFailsInOneLine) {

@@ -37,7 +37,7 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
                          "--check, --bless, --json, --words; see umbra78 figures --help"},
         {"render", "scene is required; see umbra78 render --help"},
         {"render a.toml b.toml",
-         "unknown argument 'b.toml'; known here: --help, scene, --out, --buffers, --set, "
+         "unknown argument 'b.toml'; known here: --help, scene, --out, --buffers, --error, --set, "
          "--no-truth, --json; see umbra78 render --help"},
         {"render a.toml --set", "--set: 1 required KEY=VALUE missing; see umbra78 render --help"},
         {"render a.toml --jsn", "unknown argument '--jsn'; did you mean '--json'?; see umbra78 "
@@ -240,7 +240,7 @@ TEST_F(Program, HelpHasTheRangesOfTheManual) {
         {"multipliers", "1 .. 16 multipliers; default 4"},
         {"lookup", "nearest, bilinear; default nearest"},
         {"registration", "centre, index; default centre"},
-        {"bias", "-16777216 .. 16777216 bias_unit; default 2.5"},
+        {"bias", "-16777216 .. 16777216 bias_unit; default 2"},
         {"bias_unit", "quanta, texels, world; default texels"},
         {"dither", "none, uniform, triangular, normal4, normal; default none"},
         {"dequantize", "0 .. 6 passes; default 0"},
