@@ -1,5 +1,6 @@
 #include "tools/truth/scene_truth.hpp"
 
+#include "tools/truth/cut_truth.hpp"
 #include "tools/truth/patch_truth.hpp"
 
 #include <algorithm>
@@ -70,11 +71,13 @@ TruthView truth_view(const raster::View& view, int size_px) {
             size_px};
 }
 
-std::optional<SceneTruth> trace(const LoadedScene& scene) {
+namespace {
+
+std::optional<SceneTruth> trace(const LoadedScene& scene, bool cut) {
     const int size = scene.settings.machine.size_px();
     SceneTruth made{truth_scene(scene), truth_view(scene.observer, size),
                     truth_view(scene.light, size), truth_light(scene.light), {}, {}};
-    const TruthView seen = without_cut(scene, made.observer);
+    const TruthView seen = cut ? made.observer : without_cut(scene, made.observer);
     if (scene.free_patches > 0) {
         auto traced = patch_truth(scene, seen, made.light);
         if (!traced) return std::nullopt;
@@ -89,6 +92,14 @@ std::optional<SceneTruth> trace(const LoadedScene& scene) {
     for (std::size_t at = 0; at < made.unlit_side.size(); ++at)
         made.unlit_side[at] = made.truth.surface[at] >= spheres && made.truth.n_dot_l[at] <= 0;
     return made;
+}
+
+}  // namespace
+
+std::optional<SceneTruth> trace(const LoadedScene& scene) { return trace(scene, false); }
+
+std::optional<SceneTruth> trace_within_depths(const LoadedScene& scene) {
+    return trace(scene, true);
 }
 
 double filter_radius_px(const shadow::Settings& settings) {

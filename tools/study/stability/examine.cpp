@@ -3,7 +3,7 @@
 #include "tools/render/render_job.hpp"
 #include "tools/scene/checks.hpp"
 #include "tools/study/stability/stability.hpp"
-#include "tools/truth/scene_truth.hpp"
+#include "tools/truth/cut_truth.hpp"
 
 #include <fmt/format.h>
 
@@ -128,9 +128,11 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     f.bound = t.bound;
     f.unit = "output LSB";
     if (c.far_over_near != 0) f.far_over_near = c.far_over_near;
+    // What near and far cut is not lost: a case may set them so.
     // Free patches are not measured, because what is found must not depend on whether the program
     // is built with Embree.
-    if (const auto truth = scene.free_patches > 0 ? std::nullopt : trace(scene)) {
+    if (const auto truth =
+            scene.free_patches > 0 ? std::nullopt : trace_within_depths(scene)) {
         measure_depths(job, *truth, c.far_over_near != 0, f);
         measure_shadow(job, *truth, f);
     }
