@@ -86,10 +86,10 @@ TEST(Shading, OfCoincidentControlPointsIsTheFlatBlocks) {
     const ShadingSpec spec{77, {false, q14(unit3({0.6, -0.7, 0.8})), {}},
                            {false, q14({0, 0, 1}), {}}};
     const BlockShading right(even, spec, matt), shading(doubled, spec, matt);
-    EXPECT_GT(right.level(3, 12, false), 70);  // not ambient light alone, which is 60
+    EXPECT_GT(right.shade(3, 12, false).intensity, 70);  // not ambient light alone, which is 60
     for (int leaf = 0; leaf < 256; ++leaf)
-        EXPECT_EQ(shading.level(leaf % 16, leaf / 16, false),
-                  right.level(leaf % 16, leaf / 16, false)) << leaf;
+        EXPECT_EQ(shading.shade(leaf % 16, leaf / 16, false).intensity,
+                  right.shade(leaf % 16, leaf / 16, false).intensity) << leaf;
     // One edge a point as well: the opposite edge's chord.
     std::array<Component, 3> tip = doubled;
     for (Component& c : tip) {
@@ -98,7 +98,7 @@ TEST(Shading, OfCoincidentControlPointsIsTheFlatBlocks) {
         c.gv[1] = 3 * (c.f[3] - c.f[1]) / 4;
         c.gv[3] = -c.gv[1];
     }
-    EXPECT_GT(BlockShading(tip, spec, matt).level(8, 15, false), 70);
+    EXPECT_GT(BlockShading(tip, spec, matt).shade(8, 15, false).intensity, 70);
 }
 
 TEST(Shading, TheHighlightIsBrightestInTheMirrorDirection) {
