@@ -61,8 +61,8 @@ constexpr SceneKey observer_keys[] = {
      .left_out = "must be given in perspective", .example = "8",
      .meaning = "from the eye to the target, in perspective only"},
     {.key = "recentre", .kind = choice, .choices = on_or_off,
-     .meaning = "count places from the target, if all lie within 32766 of it, so that a far scene keeps "
-                "its bits"},
+     .meaning = "count places from the target, if all lie within 32766 of it, so that a far "
+                "scene keeps its bits"},
 };
 constexpr SceneKey light_keys[] = {
     {.key = "kind", .kind = choice, .choices = light_kinds,

@@ -2,8 +2,8 @@
 //
 // A patch lies in the hull of its control points. Where a hull reaches out of near .. far the patch
 // is halved (de Casteljau) until its pieces are beside the window, within near .. far, or small: a
-// 32nd of the window wide and, in perspective, a 32nd of their depth deep. Of all pieces the corners
-// are measured, which are points of the surface. So what is reported as cut is cut; what is
+// 32nd of the window wide and, in perspective, a 32nd of their depth deep. Of all pieces the
+// corners are measured, which are points of the surface. So what is reported as cut is cut; what is
 // narrower than a 32nd of the window may be overlooked.
 // In double precision: no bit of a frame depends on it.
 #pragma once

@@ -178,8 +178,8 @@ void warn_of_objects(const LoadedScene& scene, hw::WordFormat object, Warnings& 
     warnings.push_back(
         {"object_words", steps,
          fmt::format("a control point {:.5g} units from the {} makes a step of all places {:.3g} "
-                     "units, {:.3g} pixels: surfaces smaller than that are crushed; bring all of the "
-                     "scene within {:.3g} units of it, or raise observer.extent",
+                     "units, {:.3g} pixels: surfaces smaller than that are crushed; bring all of "
+                     "the scene within {:.3g} units of it, or raise observer.extent",
                      reach, scene.origin == raster::World{} ? "origin" : "target", step, steps,
                      std::max(1.0, std::exp2(std::floor(std::log2(reach / steps)))))});
 }

@@ -17,7 +17,8 @@ struct Slid {
     bool over_the_edge = true;  // the surface ends before it
 };
 
-// Of a sphere's two crossings the later one is on the side whose outside faces the light. Beside a plane
+// Of a sphere's two crossings the later one is on the side whose outside faces the light.
+// Beside a plane
 // that faces the light there is nothing of it that could cast a shadow, so it counts as unbounded.
 Slid slide(const TruthScene& scene, int surface, bool faces_light, bool inside,
            const Ray& to_light) {

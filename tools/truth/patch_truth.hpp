@@ -20,8 +20,8 @@
 namespace umbra78::tools {
 
 inline constexpr int default_patch_cells = 64;
-// Embree takes about 110 bytes a triangle, so these are some 460 MB. Scenes of more than 512 patches
-// get fewer cells a patch: 5 for 60 000.
+// Embree takes about 110 bytes a triangle, so these are some 460 MB. Scenes of more than 512
+// patches get fewer cells a patch: 5 for 60 000.
 inline constexpr std::size_t max_patch_triangles = std::size_t{1} << 22;
 // The cells a patch that so many patches get, at least 2.
 int cells_within_budget(std::size_t patches, int cells);

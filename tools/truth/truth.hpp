@@ -104,8 +104,8 @@ bool blocked(const TruthScene&, const Ray&, double from, double to, int ignoring
 // The last t > 0 before t = to at which the ray meets any surface; 0 where it meets none.
 double last_crossing(const TruthScene&, const Ray&, double to);
 
-// Whether the normal toward the viewer at a point of the surface shows that it is a sphere seen from
-// inside; and whether the ray from that point leaves the sphere before t = to.
+// Whether the normal toward the viewer at a point of the surface shows that it is a sphere seen
+// from inside; and whether the ray from that point leaves the sphere before t = to.
 bool seen_from_inside(const TruthScene&, int surface, const Real3& at, const Real3& normal);
 bool left_through_itself(const TruthScene&, int surface, const Real3& normal, const Ray& from_it,
                          double to);

@@ -210,8 +210,8 @@ TEST(SceneFile, WarnsOfWhatTheViewsDoNotHold) {
               "light.extent = 1.03087 holds them, or leave it out");
     EXPECT_EQ(warning({"light.near=0"}),
               "a.toml: 20 of 32 patches are in the light's window from depth -0.9997 on, nearer "
-              "than near = 0, and may cast no shadow; set light.near = -1.01, or leave near and far "
-              "out");
+              "than near = 0, and may cast no shadow; set light.near = -1.01, or leave near and "
+              "far out");
     EXPECT_EQ(warning({"observer.far=0.5"}),
               "a.toml: 12 of 32 patches are in the observer's window to depth 1, farther than far "
               "= 0.5, and are cut off; set observer.far = 1.02, or leave near and far out");
