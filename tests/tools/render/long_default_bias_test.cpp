@@ -1,7 +1,7 @@
 // The default bias: a scene that sets nothing has little false shadow and little false light. In
-// the scenes of seeds 1 to 60 false shadow is at most 0.73 %; false light is more than 10 %, at most
-// 13.2 %, in three: where the balls are far from the lamp and their shadows small, so that the band
-// of a texel about their edges is much of them.
+// the scenes of seeds 1 to 60 false shadow is at most 0.73 %; false light is more than 10 %, at
+// most 13.2 %, in three: where the balls are far from the lamp and their shadows small, so that the
+// band of a texel about their edges is much of them.
 #include "tests/tools/render/case_scenes.hpp"
 
 #include <fmt/format.h>
