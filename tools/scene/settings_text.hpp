@@ -27,8 +27,8 @@ void apply_settings(const TomlNode& table, shadow::Settings&, FirstError&);
 // every bias, and dither does not change that.
 shadow::Settings scene_defaults();
 
-// The scene's defaults, then the [settings] of a file (null: there are none), then the overrides. So
-// a profile among the overrides replaces the file's profile and the file's keys that profiles set.
+// The scene's defaults, then the [settings] of a file (null: there are none), then the overrides.
+// So a profile among the overrides replaces the file's profile and the file's keys that profiles set.
 // A perspective view takes the profile perspective24 unless a profile or coefficient_bits is given.
 shadow::Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective,
                                FirstError&);
