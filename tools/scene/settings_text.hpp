@@ -28,7 +28,7 @@ void apply_settings(const TomlNode& table, shadow::Settings&, FirstError&);
 shadow::Settings scene_defaults();
 
 // The scene's defaults, then the [settings] of a file (null: there are none), then the overrides.
-// So a profile among the overrides replaces the file's profile and the file's keys that profiles set.
+// So a profile among the overrides replaces the file's profile and the file's profile keys.
 // A perspective view takes the profile perspective24 unless a profile or coefficient_bits is given.
 shadow::Settings read_settings(const TomlNode* file, const TomlNode& overrides, bool perspective,
                                FirstError&);
