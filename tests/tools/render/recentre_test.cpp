@@ -9,7 +9,7 @@ namespace {
 using test::DrawnCase;
 using Texts = std::vector<std::string>;
 
-const Texts small{"xy_bits=7"};
+const Texts small_scene{"xy_bits=7"};
 
 // Two balls and a floor, `by` off in each direction; what is left out is fitted.
 std::string moved(double by, const char* views) {
@@ -25,11 +25,11 @@ constexpr const char* fitted =
     "[observer]\nazimuth = 15\nelevation = 30\n[light]\nazimuth = -100\nelevation = 20\n";
 
 TEST(Recentre, AMovedSceneHasTheSameHashes) {
-    const DrawnCase here(moved(0, fitted), small);
+    const DrawnCase here(moved(0, fitted), small_scene);
     EXPECT_EQ(here.scene.origin, here.scene.observer.target.x == 0 ? here.scene.origin
                                                                    : raster::World{});
     for (const double by : {100.0, 30000.0, -12345.0, 1.0 / 65536, 77.0 + 3.0 / 65536}) {
-        const DrawnCase there(moved(by, fitted), small);
+        const DrawnCase there(moved(by, fitted), small_scene);
         EXPECT_EQ(there.hashes(), here.hashes()) << by;
         EXPECT_EQ(there.keys(), Texts{}) << by;
         const auto words = static_cast<std::int32_t>(by * 65536);
@@ -46,7 +46,7 @@ TEST(Recentre, PlacesThatAreGivenMoveToo) {
                                      "[light]\nkind = \"point\"\nposition = [{0}, {1}.5, {1}]\n"
                                      "target = [{0}, {0}, {0}]\n", by, by + 3).c_str());
     };
-    const DrawnCase here(lamp(0), small), there(lamp(20000), small);
+    const DrawnCase here(lamp(0), small_scene), there(lamp(20000), small_scene);
     EXPECT_EQ(there.hashes(), here.hashes());
     EXPECT_EQ(there.scene.light.target, here.scene.light.target);
     EXPECT_EQ(there.report->all.false_shadow, here.report->all.false_shadow);
