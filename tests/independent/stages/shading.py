@@ -19,14 +19,19 @@ def unit14(v):
 
 def tangents(places, way):
     """At each corner, the tangent in u (way 1) or v (way 2)."""
-    result = [None] * 4
+    result, chords = [None] * 4, [None] * 4
     for a, b in ALONG[way]:
+        chords[a] = chords[b] = [3 * (comp[0][b] - comp[0][a]) for comp in places]
         ends = [(3 * (f[b] - f[a]), g[a], g[b])
                 for f, g in ((comp[0], comp[way]) for comp in places)]
         result[a] = [df - 8 * ga - 4 * gb for df, ga, gb in ends]
         result[b] = [df + 4 * ga + 8 * gb for df, ga, gb in ends]
-    # A zero tangent: that of the opposite edge, the same end of it (the corner across it).
-    return [cut30(t if any(t) else result[corner ^ (3 - way)]) for corner, t in enumerate(result)]
+    # A zero tangent: that of the opposite edge, the same end of it (the corner across it); if that
+    # is zero, too, the chord of the corner's own edge, and at last the opposite edge's.
+    across = 3 - way
+    choices = [(t, result[k ^ across], chords[k], chords[k ^ across])
+               for k, t in enumerate(result)]
+    return [cut30(next((t for t in choice if any(t)), choice[0])) for choice in choices]
 
 
 def corner_normals(places):
