@@ -27,7 +27,7 @@ inline constexpr std::int32_t density_q8 = 218;
 inline constexpr std::int64_t bias_q16 = 12582912;
 inline constexpr auto lookup = static_cast<Lookup>(1);
 inline constexpr auto dither = static_cast<hw::DitherShape>(4);
-inline constexpr std::int32_t dequantize_passes = 4;
-inline constexpr std::int32_t low_pass_passes = 1;
+inline constexpr std::int32_t dequantize_passes = 1;
+inline constexpr std::int32_t low_pass_passes = 2;
 
 }  // namespace umbra78::shadow::paper_scene

@@ -15,6 +15,7 @@ std::unique_ptr<Study> make_error_time_study();
 std::unique_ptr<Study> make_bias_study();
 std::unique_ptr<Study> make_widths_study();
 std::unique_ptr<Study> make_moire_study();
+std::unique_ptr<Study> make_contours_study();
 std::unique_ptr<Study> make_precision_study();
 std::unique_ptr<Study> make_stability_study();
 

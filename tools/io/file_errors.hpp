@@ -1,4 +1,4 @@
-// What the writers of file formats share: one-line errors, and bytes.
+// What the readers and writers of file formats share: errors of one line, and checks of sizes.
 #pragma once
 
 #include "tools/io/files.hpp"

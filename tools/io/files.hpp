@@ -1,11 +1,12 @@
-// Files in and out: PGM, NPY and PNG, whole or not at all.
+// Writes PGM, NPY and PNG files; reads PGM and grey PNG.
 //
 // A file is written under `path.partial-<pid>` in the same folder, flushed, then renamed over
 // `path`: a reader sees the old file or the new one, and a failure leaves nothing behind. Files
-// that belong together are written into a FileSet, and appear together when it is committed.
-// tools/io/destination.hpp says what may be written to, and what is written in place. Every error
-// is a std::runtime_error of one line that names the file, what is wrong and what to do. Pictures
-// are rows from the top, width * height samples. Not emulated: any colour space.
+// that belong together are written into a FileSet; when it is committed they are renamed one
+// directly after another. tools/io/destination.hpp says what may be written to, and what is written
+// in place. Every error but read_png_gray()'s is a std::runtime_error of one line that names the
+// file, what is wrong and what to do. Pictures are rows from the top, width * height samples.
+// Colour spaces are ignored: a sample is the machine's grey level.
 #pragma once
 
 #include "tools/io/destination.hpp"
@@ -19,7 +20,7 @@
 
 namespace umbra78::tools {
 
-// Files that appear all together, or not at all if it is destroyed before.
+// Files that appear when it is committed, or not at all if it is destroyed before.
 class FileSet {
 public:
     FileSet() = default;

@@ -1,5 +1,4 @@
-// A scene, read from its text: TOML, short enough to write by hand, read exactly into the
-// machine's words.
+// A scene, read from the text of a scene file (TOML) into the machine's fixed-point words.
 //
 // Every decimal goes from its text to fixed point without passing through floating point. The
 // tables and keys are those of scene_keys.hpp, listed in tools/scenes/KEYS.md; an example is

@@ -1,5 +1,5 @@
-// Settings as text: read from a scene file or --set, and printed. Keys, ranges, defaults and
-// meanings are those of shadow::settings_table().
+// Reads settings from a scene file's [settings] or from --set, and prints them. Their keys, ranges,
+// defaults and meanings are those of shadow::settings_table().
 #pragma once
 
 #include "shadow/frame/profiles.hpp"

@@ -1,5 +1,5 @@
-// The observer and the light of a scene file, read into views. What is left out is fitted to the
-// control points of all patches. After an error a view is not to be used.
+// Reads the observer and the light of a scene file into views. A key that the file leaves out is
+// fitted to the control points of all patches. After an error a view is not to be used.
 #pragma once
 
 #include "tools/scene/toml_text.hpp"

@@ -2,10 +2,10 @@
 //
 // Every patch is cut into cells x cells quads of two triangles, in double precision. Embree's rays,
 // in single precision, find the triangle that is met; from there Newton's method finds the point on
-// the patch itself, in double precision. A shadow ray starts off the surface, on the side seen. Its
-// offset is the largest distance of the triangles from their patches (h^2 / 8 of the second
-// derivatives, the maximum over all patches) plus 2^-20 of the scene's reach for the rounding of
-// single precision. What is nearer than that casts no shadow.
+// the patch itself, in double precision. A shadow ray starts off the surface, on the side seen.
+// The start's distance from it is the largest distance of the triangles from their patches (h^2 / 8
+// of the second derivatives, the maximum over all patches) plus 2^-20 of the scene's reach for the
+// rounding of single precision. What is nearer than that casts no shadow.
 //
 // Surfaces are two-sided, as the machine shades them: a normal points toward the viewer, which on a
 // closed surface seen from outside is outward.

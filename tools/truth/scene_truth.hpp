@@ -1,7 +1,8 @@
 // A loaded scene's truth, and how far a drawn mask is from it.
 //
-// Spheres and planes have a closed form. A scene with free patches has none: its truth is traced
-// by tools/truth/patch_truth.hpp. In a program without Embree it has no truth.
+// The exact shadow of spheres and planes follows from formulas, its closed form. That of free
+// patches (a [[patch]] of the scene file) does not: tools/truth/patch_truth.hpp traces it with
+// Embree, and a program built without Embree has no truth for such a scene.
 #pragma once
 
 #include "tools/scene/scene_file.hpp"

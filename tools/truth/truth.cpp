@@ -67,6 +67,11 @@ void draw(Truth& truth, const TruthView& view, int surface, const PixelBox& box,
     }
 }
 
+// Of the angle between a unit normal and a direction of any length.
+double cosine(const Real3& unit_normal, const Real3& direction) {
+    return dot(unit_normal, direction) / length(direction);
+}
+
 Real3 unit_normal(const TruthScene& scene, int surface, const Real3& at, const Real3& sight) {
     const int spheres = static_cast<int>(scene.spheres.size());
     if (surface < spheres) {
@@ -184,51 +189,64 @@ Truth::Truth(int size_px) : size(size_px) {
 
 void Truth::see(std::size_t at, int surface_seen, double depth_seen, const Real3& where,
                 const Real3& unit_normal, const TruthLight& light) {
-    const Real3 to_light = light.ray(where).direction;
     visible[at] = 1;
     surface[at] = surface_seen;
     depth[at] = depth_seen;
     position[at] = where;
     normal[at] = unit_normal;
-    n_dot_l[at] = dot(unit_normal, to_light) / length(to_light);
+    n_dot_l[at] = cosine(unit_normal, light.ray(where).direction);
+}
+
+double depth_of(const TruthScene& scene, int surface, const TruthView& view, const Ray& ray) {
+    const auto seen = [&](double t) { return t >= view.near_depth && t <= view.far_depth; };
+    const int spheres = static_cast<int>(scene.spheres.size());
+    if (surface < spheres) {
+        const auto hit = crossings(scene.spheres[surface], ray);
+        if (!hit) return infinity;
+        return seen((*hit)[0]) ? (*hit)[0] : seen((*hit)[1]) ? (*hit)[1] : infinity;
+    }
+    const auto hit = crossing(scene.planes[surface - spheres], ray);
+    return hit && hit->inside && seen(hit->t) ? hit->t : infinity;
+}
+
+// A surface that faces the light does not stand in its own way, except a sphere that is seen from
+// inside.
+SurfacePoint surface_point(const TruthScene& scene, int surface, const TruthLight& light,
+                           const Ray& sight, double depth) {
+    SurfacePoint point{};
+    point.position = along(sight.origin, depth, sight.direction);
+    point.normal = unit_normal(scene, surface, point.position, sight.direction);
+    point.n_dot_l = cosine(point.normal, light.ray(point.position).direction);
+    point.lit = point.n_dot_l > 0 && !occluded(point.position, light, scene, surface) &&
+                !left_through_itself(scene, surface, point.normal, light.ray(point.position),
+                                     light.reach());
+    return point;
 }
 
 Truth trace(const TruthScene& scene, const TruthView& view, const TruthLight& light) {
     Truth truth(view.size);
 
     // What is seen.
-    const auto seen = [&](double t) { return t >= view.near_depth && t <= view.far_depth; };
+    const auto draw_surface = [&](int surface, const PixelBox& box) {
+        draw(truth, view, surface, box,
+             [&](const Ray& ray) { return depth_of(scene, surface, view, ray); });
+    };
     int surface = 0;
-    for (const TruthSphere& sphere : scene.spheres) {
-        draw(truth, view, surface++, box_of(view, sphere), [&](const Ray& ray) {
-            const auto hit = crossings(sphere, ray);
-            if (!hit) return infinity;
-            return seen((*hit)[0]) ? (*hit)[0] : seen((*hit)[1]) ? (*hit)[1] : infinity;
-        });
-    }
-    for (const TruthPlane& plane : scene.planes) {
-        draw(truth, view, surface++, box_of(view, plane), [&](const Ray& ray) {
-            const auto hit = crossing(plane, ray);
-            return hit && hit->inside && seen(hit->t) ? hit->t : infinity;
-        });
-    }
+    for (const TruthSphere& sphere : scene.spheres) draw_surface(surface++, box_of(view, sphere));
+    for (const TruthPlane& plane : scene.planes) draw_surface(surface++, box_of(view, plane));
 
-    // What of it the light sees. A surface that faces the light does not stand in its own way,
-    // except a sphere that is seen from inside.
+    // What of it the light sees.
     for (std::size_t at = 0; at < truth.surface.size(); ++at) {
-        const int seen_here = truth.surface[at];
-        if (seen_here == no_surface) continue;
+        const int seen = truth.surface[at];
+        if (seen == no_surface) continue;
         const int row = static_cast<int>(at / view.size);
         const int column = static_cast<int>(at % view.size);
         const Ray sight = view.ray(column + 0.5, row + 0.5);
-        const Real3 position = along(sight.origin, truth.depth[at], sight.direction);
-        truth.see(at, seen_here, truth.depth[at], position,
-                  unit_normal(scene, seen_here, position, sight.direction), light);
-        truth.lit[at] = truth.n_dot_l[at] > 0 && !occluded(position, light, scene, seen_here) &&
-                        !left_through_itself(scene, seen_here, truth.normal[at],
-                                             light.ray(position), light.reach());
-        if (truth.lit[at]) continue;
-        const Ray to_light = light.ray(position);
+        const SurfacePoint point = surface_point(scene, seen, light, sight, truth.depth[at]);
+        truth.see(at, seen, truth.depth[at], point.position, point.normal, light);
+        truth.lit[at] = point.lit;
+        if (point.lit) continue;
+        const Ray to_light = light.ray(point.position);
         truth.behind[at] =
             last_crossing(scene, to_light, light.reach()) * length(to_light.direction);
     }

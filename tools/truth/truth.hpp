@@ -114,6 +114,18 @@ bool left_through_itself(const TruthScene&, int surface, const Real3& normal, co
 bool occluded(const Real3& point, const TruthLight&, const TruthScene&,
               int ignoring = no_surface);
 
+// The first depth within near .. far at which the view's ray meets the surface; infinite if none.
+double depth_of(const TruthScene&, int surface, const TruthView&, const Ray&);
+
+// What is at a depth of that ray, on that surface.
+struct SurfacePoint {
+    Real3 position, normal;  // unit, toward the viewer
+    double n_dot_l;
+    bool lit;
+};
+SurfacePoint surface_point(const TruthScene&, int surface, const TruthLight&, const Ray& sight,
+                           double depth);
+
 Truth trace(const TruthScene&, const TruthView&, const TruthLight&);
 
 }  // namespace umbra78::tools

@@ -124,7 +124,7 @@ def figure_frames():
         yield buffer, three, buffer
     yield "mask3", three, "mask"
     four = "lookup bilinear, bias 192, dither normal"
-    six = frame(four + ", dequantize 4, low_pass 1", three)
+    six = frame(four + ", dequantize 1, low_pass 2", three)
     six.s.density = 218
     for name, buffer in (("mask4", "mask"), ("edges5", "edges"), ("filtered5", "filtered"),
                          ("picture6", "picture")):

@@ -4,7 +4,7 @@
 #include "tools/io/text_formats.hpp"
 #include "tools/study/csv.hpp"
 #include "tools/study/column_meanings.hpp"
-#include "tools/study/error_time/pareto.hpp"
+#include "tools/study/pareto.hpp"
 #include "tools/study/grid.hpp"
 #include "tools/study/inputs.hpp"
 #include "tools/study/report_sections.hpp"

@@ -1,5 +1,6 @@
-// Truth against answers known from geometry, and against a slow model that shares nothing with
-// it but the definition: march along the ray and look on which side of each surface one is.
+// Truth against answers known from geometry, and against a slow model that shares only the
+// definition with it: it goes along the ray in small steps and looks on which side of each surface
+// it is.
 #include "tools/truth/truth.hpp"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 // run on the other cores meanwhile and share the caches; --jobs 1 gives quieter times.
 #include "tools/study/error_time/error_time.hpp"
 
+#include "shadow/frame/paper_scene_words.hpp"
 #include "tools/render/report.hpp"
 #include "tools/scene/settings_text.hpp"
 #include "tools/study/error_time/shared_draw.hpp"
@@ -53,10 +54,12 @@ std::vector<GridKey> with(std::vector<GridKey> axes, std::vector<GridKey> others
     return axes;
 }
 
-// The grid with the filters off, then with the paper's figures' on.
+// The grid with the filters off, then with as many passes as figure 5 has.
 std::vector<Case> both_filters(const Request& request, const std::vector<GridKey>& axes) {
+    using namespace shadow::paper_scene;
     const std::vector<GridKey> off{{"dequantize", {"0"}}, {"low_pass", {"0"}}};
-    const std::vector<GridKey> on{{"dequantize", {"4"}}, {"low_pass", {"1"}}};
+    const std::vector<GridKey> on{{"dequantize", {std::to_string(dequantize_passes)}},
+                                  {"low_pass", {std::to_string(low_pass_passes)}}};
     return joined(grid(request, with(axes, off)), grid(request, with(axes, on)));
 }
 

@@ -1,6 +1,6 @@
 // The page of the study of error against run time.
 #include "tools/study/error_time/error_time.hpp"
-#include "tools/study/error_time/pareto.hpp"
+#include "tools/study/pareto.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "tools/study/error_time/pareto.hpp"
+#include "tools/study/pareto.hpp"
 
 #include <algorithm>
 #include <cmath>
