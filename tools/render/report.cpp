@@ -72,8 +72,12 @@ std::string percent(std::optional<double> rate) {
 
 std::string print(const ShadowReport& report) {
     const auto rate = [](std::optional<double> r) { return r ? percent(r) + " %" : percent(r); };
-    std::string text = fmt::format(
-        "error       false shadow {}, false light {}; outside one light texel of the edge {}, {}; "
+    std::string text = "error       ";
+    if (report.coverage && !report.coverage->complete())
+        text += fmt::format("{} % of all pixels are missing, extra, misplaced or wrong in shadow\n"
+                            "            of those compared: ", percent(report.wrong_share()));
+    text += fmt::format(
+        "false shadow {}, false light {}; outside one light texel of the edge {}, {}; "
         "{} isolated pixels\n",
         rate(false_shadow(report.all)), rate(false_light(report.all)),
         rate(false_shadow(report.outside_band)), rate(false_light(report.outside_band)),
@@ -107,7 +111,11 @@ ordered_json to_json(const std::optional<ShadowReport>& report) {
     json["outside_light_texel_band"] = to_json(report->outside_band);
     json["edge_distance_px"] = {{"mean", report->edge.mean},
                                 {"hausdorff", report->edge.hausdorff}};
-    if (report->coverage) json["coverage"] = to_json(*report->coverage);
+    if (report->coverage) {
+        json["coverage"] = to_json(*report->coverage);
+        json["wrong_pixels"] = report->wrong_pixels;
+        json["wrong_share"] = report->wrong_share();
+    }
     json["unlit_side_pixels"] = report->unlit_side;
     json["isolated_pixels"] = report->isolated_pixels;
     json["threshold"] = report->threshold;

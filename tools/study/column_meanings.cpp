@@ -1,6 +1,7 @@
 #include "tools/study/column_meanings.hpp"
 
 #include "shadow/frame/settings.hpp"
+#include "tools/study/measures.hpp"
 
 namespace umbra78::tools::study {
 namespace {
@@ -28,6 +29,8 @@ std::optional<std::string> meaning_of(std::string_view column, const Study& stud
     if (shadow::find_setting(column) != nullptr) return std::string(a_setting);
     for (const ColumnMeaning& known : study.columns())
         if (fits(column, known.name)) return std::string(known.meaning);
+    for (const ColumnMeaning& known : coverage_columns)
+        if (known.name == column) return std::string(known.meaning);
     for (const ColumnMeaning& known : of_the_framework)
         if (fits(column, known.name)) return std::string(known.meaning);
     return {};

@@ -2,6 +2,8 @@
 
 #include "shadow/bias.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -81,6 +83,34 @@ void set_rates(Row& row, const ShadowReport& errors) {
     row.set("false_shadow_outside", errors.outside_band.false_shadow_rate());
     row.set("false_light_outside", errors.outside_band.false_light_rate());
     row.set("isolated_pixels", std::int64_t{errors.isolated_pixels});
+    set_coverage(row, errors.coverage.value());
+}
+
+void set_coverage(Row& row, const Coverage& c) {
+    row.set("missing_pixels", std::int64_t{c.missing});
+    row.set("extra_pixels", std::int64_t{c.extra});
+    row.set("misplaced_pixels", std::int64_t{c.misplaced});
+}
+
+std::string words_of_coverage(std::span<const Row> rows) {
+    std::size_t lacking = 0;
+    const Row* worst = nullptr;
+    double most = 0;
+    for (const Row& row : rows) {
+        double lost = 0;
+        for (const ColumnMeaning& column : coverage_columns)
+            if (row.has(column.name) && !std::isnan(row.number(column.name)))
+                lost += row.number(column.name);
+        lacking += lost > 0;
+        if (lost <= most) continue;
+        most = lost;
+        worst = &row;
+    }
+    if (worst == nullptr) return "";
+    return fmt::format("{} of {} frames are not what exact truth sees, and the rates do not count "
+                       "their missing, extra and misplaced pixels: at most {} in case {}. Draw the "
+                       "scene with umbra78 render, whose warnings name the reason.",
+                       lacking, rows.size(), static_cast<std::int64_t>(most), worst->text("case"));
 }
 
 LightUnits light_units(const LoadedScene& scene) {

@@ -27,7 +27,19 @@ DepthError depth_error(const LoadedScene&, const Truth&, const Buffer& observer_
 // are drawn lit at any distance, do not move it. 0 if no distance separates them.
 double detachment_gap(const Traced&, const MachineMask&);
 
-// Sets false_shadow, false_light, the same two with _outside (the edge band), isolated_pixels.
+// Sets missing_pixels, extra_pixels and misplaced_pixels: rates are of the pixels that both see.
+void set_coverage(Row&, const Coverage&);
+// How many rows lack pixels, and how many at most, in a sentence; "" if none does.
+std::string words_of_coverage(std::span<const Row>);
+inline constexpr ColumnMeaning coverage_columns[] = {
+    {"missing_pixels", "pixels that truth sees and the machine does not draw: none of the rates "
+                       "counts them"},
+    {"extra_pixels", "pixels that the machine draws and truth does not see"},
+    {"misplaced_pixels", "pixels at which the machine draws another depth than truth sees"},
+};
+
+// Sets false_shadow, false_light, the same two with _outside (the edge band), isolated_pixels,
+// and the coverage, which the report must have.
 void set_rates(Row&, const ShadowReport&);
 inline constexpr ColumnMeaning rate_columns[] = {
     {"false_shadow", "share of the pixels lit in truth that the mask shadows, 0 .. 1"},

@@ -4,6 +4,7 @@
 #include "tools/render/report.hpp"
 #include "tools/study/column_meanings.hpp"
 #include "tools/study/csv.hpp"
+#include "tools/study/measures.hpp"
 #include "tools/study/report_page.hpp"
 
 #include <fmt/format.h>
@@ -109,6 +110,7 @@ StudyDone write_files(const Asked& asked, const std::map<std::size_t, Row>& by_c
     const std::string name(asked.study->name());
     write_text(folder / (name + ".csv"), to_csv(rows), files);
     ReportPage page(folder, files);
+    if (const std::string lost = words_of_coverage(rows); !lost.empty()) page.answer(lost);
     asked.study->report(asked.request, rows, page);
     done.summary = summary_of(asked, done, page, page.summary());
     write_text(folder / (name + ".json"), tools::print(done.summary), files);

@@ -128,9 +128,12 @@ ShadowReport report(const SceneTruth& truth, const MachineMask& mask, const Band
                       truth.closed_form ? std::nullopt : std::optional(truth.tessellation_error)};
     for (std::size_t at = 0; at < truth.unlit_side.size(); ++at)
         made.unlit_side += truth.unlit_side[at] && truth.truth.visible[at] && mask.drawn(at);
-    if (depths != nullptr)
-        made.coverage = coverage(truth.truth, *depths,
-                                 coverage_image(truth.truth, *depths, truth.observer));
+    if (depths == nullptr) return made;
+    const auto covered = coverage_image(truth.truth, *depths, truth.observer);
+    const auto error = error_image(truth.truth, mask, truth.unlit_side);
+    made.coverage = coverage(truth.truth, *depths, covered);
+    for (std::size_t at = 0; at < covered.size(); ++at)
+        made.wrong_pixels += covered[at] != Covered::right || error[at] != 0;
     return made;
 }
 

@@ -43,6 +43,13 @@ struct ShadowReport {
     std::optional<double> tessellation_error;  // PatchTruth's, if truth has no closed form
     int unlit_side = 0;                  // pixels seen from a surface's unlit side: not compared
     std::optional<Coverage> coverage{};  // where the observer's Z codes are known
+    // There also the pixels that are missing, extra, misplaced, in false shadow or in false light:
+    // the error of the picture as a whole.
+    int wrong_pixels = 0;
+    double wrong_share() const {  // of the pixels that truth sees and the extra ones
+        const int seen = coverage ? coverage->seen + coverage->extra : 0;
+        return seen > 0 ? double(wrong_pixels) / seen : 0;
+    }
 };
 
 Band light_texel_band(const SceneTruth&);            // without a filter's reach

@@ -63,8 +63,8 @@ TEST(PlanCost, IsTheClosedForm) {
     EXPECT_EQ(c[2].noise, n);  // 12 bytes twice are the 192 bits of a cycle
     EXPECT_EQ(c[2].store, seen * 4 + 2 * n);
     const std::uint64_t steps = f.frame.counts.lights[0].chain_steps;
-    EXPECT_EQ(c[3].total(), test::dequantize_by_hand(steps, n, 4).one_after_the_other());
-    EXPECT_EQ(c[4].total(), test::low_pass_by_hand(n, 1).one_after_the_other());
+    EXPECT_EQ(c[3].total(), test::dequantize_by_hand(steps, n, 1).one_after_the_other());
+    EXPECT_EQ(c[4].total(), test::low_pass_by_hand(n, 2).one_after_the_other());
     EXPECT_EQ(c[5].total(), test::composite_by_hand(n).one_after_the_other());
     const std::uint64_t quotient =
         static_cast<std::uint64_t>(hw::serial_divide_cycles(f.inputs.settings.machine));
@@ -99,8 +99,8 @@ TEST(PlanCost, SavingsOfASceneWithoutACaster) {
     EXPECT_EQ(saved(Omission::light_map), 2048u * 3 + (3u * 128 * (60 + 43)) / 4);
     EXPECT_EQ(saved(Omission::post_process), seen * 3 + seen * 4 + 2 * n + n);
     EXPECT_EQ(saved(Omission::dequantize),
-              test::dequantize_by_hand(0, n, 4).one_after_the_other());
-    EXPECT_EQ(saved(Omission::low_pass), test::low_pass_by_hand(n, 1).one_after_the_other());
+              test::dequantize_by_hand(0, n, 1).one_after_the_other());
+    EXPECT_EQ(saved(Omission::low_pass), test::low_pass_by_hand(n, 2).one_after_the_other());
     EXPECT_EQ(saved(Omission::composite), test::composite_by_hand(n).one_after_the_other());
     const FrameCycles left = cycles_of(plan, drawn);
     EXPECT_EQ(total(left), left[1].total()) << "the observer's view alone";

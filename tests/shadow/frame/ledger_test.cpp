@@ -172,8 +172,8 @@ TEST(Ledger, AFrameIsTheSumOfItsPhases) {
     EXPECT_GT(steps, 1000u);
     const test::Busy light = test::drawing_by_hand(l.light_counts, true, false, 5, 12);
     const test::Busy observer = test::drawing_by_hand(l.observer_counts, true, true, 5, 12);
-    const test::Busy dequantize = test::dequantize_by_hand(steps, n, 4);
-    const test::Busy low_pass = test::low_pass_by_hand(n, 1);
+    const test::Busy dequantize = test::dequantize_by_hand(steps, n, 1);
+    const test::Busy low_pass = test::low_pass_by_hand(n, 2);
     const test::Busy composite = test::composite_by_hand(n);
     EXPECT_TRUE(test::same(l.light.operations, light));
     EXPECT_TRUE(test::same(l.observer.operations, observer));

@@ -133,7 +133,7 @@ TEST(FrameWarnings, DroppedBlocksAreReported) {
         small);
     EXPECT_GT(dropped.measured("dropped_blocks"), 0);
     EXPECT_GT(dropped.measured("missing"), 0);
-    EXPECT_EQ(print(*dropped.report).find("0.00 %"), std::string::npos) << print(*dropped.report);
+    EXPECT_EQ(print(*dropped.report).find(" 0.00 %"), std::string::npos) << print(*dropped.report);
 }
 
 TEST(FrameWarnings, NothingVisibleIsReported) {
@@ -154,7 +154,14 @@ TEST(FrameWarnings, CrushedObjectWordsAreReported) {
     EXPECT_EQ(DrawnCase(text, small).keys(), Texts{});
     const DrawnCase far(text + "[[sphere]]\ncentre = [32000, 0, 0]\nradius = 0.7\n", small);
     EXPECT_EQ(far.measured("object_words"), 64);  // a step of 1 unit; a pixel is 1/64
-    EXPECT_FALSE(far.report->coverage->complete());
+    const Coverage& c = *far.report->coverage;
+    EXPECT_FALSE(c.complete());
+    // The picture's whole error counts what no rate of the shadow counts.
+    EXPECT_GE(far.report->wrong_pixels, c.missing + c.extra + c.misplaced);
+    EXPECT_EQ(far.report->wrong_share(),
+              double(far.report->wrong_pixels) / (c.seen + c.extra));
+    EXPECT_NE(print(*far.report).find("% of all pixels are missing, extra, misplaced"),
+              std::string::npos);
 }
 
 // Without recentring the translation of 100 units takes the rotation's bits.

@@ -2,11 +2,12 @@
 #include "tests/support/error_of.hpp"
 #include "tools/cli/study_list.hpp"
 #include "tools/io/text_formats.hpp"
-#include "tools/study/csv.hpp"
 #include "tools/study/column_meanings.hpp"
-#include "tools/study/pareto.hpp"
+#include "tools/study/csv.hpp"
 #include "tools/study/grid.hpp"
 #include "tools/study/inputs.hpp"
+#include "tools/study/measures.hpp"
+#include "tools/study/pareto.hpp"
 #include "tools/study/report_sections.hpp"
 #include "tools/study/runner.hpp"
 #include "tools/study/vary.hpp"
@@ -290,6 +291,22 @@ TEST(RunCase, ParsesTheSceneOnceAndItsRowHasTheSettingsOfWhatIsDrawn) {
     EXPECT_EQ(meaning_of("drawn_bits", study), "bits of Z");
     EXPECT_EQ(meaning_of("z_bits", study), "a setting: see umbra78 settings");
     EXPECT_EQ(meaning_of("drawn", study), std::nullopt);
+}
+
+// Rates are of what both see: rows of frames that lack pixels are named before any answer.
+TEST(Coverage, OfRowsIsInWords) {
+    const auto row = [](int number, int missing, int extra) {
+        return row_with({{"case", std::int64_t{number}},
+                         {"missing_pixels", std::int64_t{missing}},
+                         {"extra_pixels", std::int64_t{extra}},
+                         {"misplaced_pixels", std::int64_t{0}}});
+    };
+    const Row none = row_with({{"case", std::int64_t{9}}});
+    EXPECT_EQ(words_of_coverage(std::vector{row(0, 0, 0), none}), "");
+    const std::string words =
+        words_of_coverage(std::vector{row(0, 0, 0), row(1, 5, 2), row(2, 6, 0), none});
+    EXPECT_TRUE(words.starts_with("2 of 4 frames are not what exact truth sees")) << words;
+    EXPECT_NE(words.find("at most 7 in case 1."), std::string::npos) << words;
 }
 
 // The same scene under another path is the same study: its shards belong together.

@@ -30,7 +30,8 @@ public:
     // With this bias in quanta, or with the settings' own.
     MachineMask draw(std::optional<double> bias_quanta = std::nullopt);
     ShadowReport errors(const MachineMask& mask) const {
-        return report(traced_.truth, mask, traced_.band);
+        const Buffer depths = job_.buffer(Plane::observer_z);
+        return report(traced_.truth, mask, traced_.band, &depths);
     }
     FalseShadow false_shadow(const MachineMask&) const;  // two of errors(), computed faster
     // The bias that is at least the bound of all lit pixels that are not left out, except the

@@ -117,7 +117,10 @@ Row Contours::run_edges(const LoadedScene& scene) const {
     set_edge(row, "self", rough[EdgeKind::self]);
     row.set("stray_px", rough.stray_px);
     const MachineMask drawn{mask, visible};
-    const ShadowError error = shadow_error(truth, drawn, traced->truth.unlit_side);
+    const Buffer depths = job.buffer(Plane::observer_z);
+    const ShadowReport made = tools::report(traced->truth, drawn, traced->band, &depths);
+    const ShadowError& error = made.all;
+    set_coverage(row, *made.coverage);
     row.set("false_shadow", error.false_shadow_rate());
     row.set("false_light", error.false_light_rate());
     row.set("filter_cycles", static_cast<std::int64_t>(job.ledger().filters(false)));

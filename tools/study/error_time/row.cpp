@@ -19,8 +19,9 @@ void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job, const 
     DepthError depth;
     if (has) {
         const std::vector<std::uint8_t> visible = job.visible();
+        const Buffer depths = job.buffer(Plane::observer_z);
         found = report(known->truth, {job.bytes(Plane::filtered), visible},
-                       widened(known->band, known->truth, scene.settings));
+                       widened(known->band, known->truth, scene.settings), &depths);
         depth = depth_error(scene, known->truth.truth, job.buffer(Plane::observer_z));
     }
     const auto set = [&](const char* column, auto value) {
@@ -44,6 +45,8 @@ void set_errors(Row& row, const LoadedScene& scene, const RenderJob& job, const 
     set("edge_mean_px", found.edge.mean);
     set("edge_hausdorff_px", found.edge.hausdorff);
     set("edge_mean_world", has ? found.edge.mean * known->truth.observer.pixel() : 0);
+    for (const ColumnMeaning& column : coverage_columns) row.set(column.name, Value());
+    if (has) set_coverage(row, *found.coverage);
     set("depth_pixels", depth.pixels);
     set("depth_min_quanta", depth.min);
     set("depth_mean_quanta", depth.mean);

@@ -69,7 +69,7 @@ Row MoireStudy::run(const Request&, const Case& c, const LoadedScene* scene) con
     const MoireFrame frame = draw_moire(*scene, c, truths_);
     const ErrorSpectrum s = error_spectrum(frame.traced->truth, frame.shown(), frame.window_px);
     Row row;
-    set_rates(row, tools::report(frame.traced->truth, frame.shown(), frame.traced->band));
+    set_rates(row, frame.report);
     set_in_three_units(row, "bias", light_units(*scene), frame.bias_quanta);
     row.set("flatness", s.flatness.windows > 0 ? Value(s.flatness.median) : Value());
     row.set("windows", std::int64_t{s.flatness.windows});
@@ -149,6 +149,8 @@ MoireFrame draw_moire(const LoadedScene& scene, const Case& c, const TruthCache&
     }
     const std::int64_t bias_q16 = job.matrices().lights[0].bias_quanta_q16;
     frame.bias_quanta = std::ldexp(static_cast<double>(bias_q16), -16);
+    const Buffer depths = job.buffer(Plane::observer_z);
+    frame.report = report(frame.traced->truth, frame.shown(), frame.traced->band, &depths);
     return frame;
 }
 

@@ -15,6 +15,7 @@ struct MoireFrame {
     std::vector<std::uint8_t> mask, visible;
     int window_px = 0;  // the side of the measured window; 0 for the scene's own surfaces
     double bias_quanta = 0;
+    ShadowReport report;
     MachineMask shown() const { return {mask, visible}; }
 };
 MoireFrame draw_moire(const LoadedScene&, const Case&, const TruthCache&);

@@ -124,8 +124,9 @@ Row WidthsStudy::run(const Request&, const Case&, const LoadedScene* drawn) cons
     RenderJob job(scene.view(), scene.settings);
     draw_mask(job);
     const auto visible = job.visible();
+    const Buffer depths = job.buffer(Plane::observer_z);
     const ShadowReport errors =
-        tools::report(traced->truth, {job.bytes(Plane::mask), visible}, traced->band);
+        tools::report(traced->truth, {job.bytes(Plane::mask), visible}, traced->band, &depths);
     const shadow::FrameLedger ledger = job.ledger();
     const hw::MachineSpec& machine = scene.settings.machine;
     const auto whole = [](auto n) { return static_cast<std::int64_t>(n); };
