@@ -218,10 +218,27 @@ TEST(Vectors, Samples) {
                   lines);
 }
 
+// With zero tangents in u: those of the corners 0 and 2, whose normals then need the chord of their
+// own edge (case 0) or, where the edge 0..1 is a point, of the opposite one (case 1); all four, so
+// that there is no normal (case 2). With coinciding control points these are the corrections.
+void let_points_coincide(Component& c, int which) {
+    const std::int64_t a = c.gu[0], b = c.gu[2];
+    c.f[1] = which == 0 ? c.f[0] + 4 * a : c.f[0];
+    c.f[3] = which == 2 ? c.f[2] : c.f[2] + 4 * b;
+    c.gu = {which == 0 ? a : 0, which == 0 ? a : 0, which == 2 ? 0 : b, which == 2 ? 0 : b};
+}
+
+Component with_u_and_v_exchanged(const Component& c) {
+    const auto corners = [](const auto& q) {
+        return std::array<std::int64_t, 4>{q[0], q[2], q[1], q[3]};
+    };
+    return {corners(c.f), corners(c.gv), corners(c.gu), corners(c.guv)};
+}
+
 TEST(Vectors, Shading) {
     Inputs in(9);
     Lines lines;
-    for (int k = 0; k < 64; ++k) {
+    for (int k = 0; k < 76; ++k) {
         std::array<Component, 3> place;
         for (Component& c : place) c = small_component(in, in.word(21), k % 16 == 3 ? 1 : 19);
         if (k % 8 == 5)  // an edge that is a point
@@ -229,6 +246,10 @@ TEST(Vectors, Shading) {
                 c.f[1] = c.f[0];
                 c.gu[0] = c.gu[1] = 0;
             }
+        for (Component& c : place) {
+            if (k >= 64) let_points_coincide(c, k % 3);
+            if (k >= 64 && k % 2 == 1) c = with_u_and_v_exchanged(c);
+        }
         raster::ShadingSpec spec;
         spec.ambient_q8 = static_cast<std::int32_t>(in.between(0, 256));
         const auto direction = [&] {
