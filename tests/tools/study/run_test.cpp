@@ -115,6 +115,26 @@ TEST_F(Study, LeavesItsFilesAndNoOthers) {
     EXPECT_EQ(files.at("index.html").find("http"), std::string::npos);
 }
 
+// Contours need an edge: with cast shadows alone they are chosen by those, and without any shadow
+// the page says so.
+TEST_F(Study, ContoursOfScenesWithoutAShadowLine) {
+    const std::string wall = "[light]\nazimuth = -30\n\n[[plane]]\norigin = [-2, -2, 0]\n"
+                             "u = [4, 0, 0]\nv = [0, 4, 0]\n";
+    write("bare.toml", wall);
+    write("shaded.toml", "[observer]\nextent = 1.5\ntarget = [0, 0, 0]\n" + wall +
+                             "[[plane]]\norigin = [-4, -0.5, 4]\nu = [1, 0, 0]\nv = [0, 1, 0]\n");
+    for (const char* name : {"bare", "shaded"}) {
+        const Ran ran = run("study contours " + std::string(name) +
+                            ".toml --quick --vary xy_bits=7 --out " + name);
+        ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    }
+    EXPECT_NE(content(folder / "bare/contours.json").find("sees no edge of a shadow"),
+              std::string::npos);
+    const std::string shaded = content(folder / "shaded/contours.json");
+    EXPECT_NE(shaded.find("the contour of cast shadows' edges is then"), std::string::npos)
+        << shaded.substr(0, 2000);
+}
+
 TEST_F(Study, WithoutGnuplotThereIsTheRest) {
     fs::create_directory(folder / "empty");
     const Ran ran = run("study >/dev/null; PATH=empty " UMBRA78_PROGRAM " " + small + "--out a");

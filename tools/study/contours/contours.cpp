@@ -75,7 +75,7 @@ std::vector<Case> Contours::cases(const Request& request) const {
     std::vector<GridKey> small(axes.begin() + 2, axes.end());
     if (request.quick) {
         axes = {{"dither", {"normal"}}, {"bias", {"192"}},
-                {"dequantize", {"0", "4"}}, {"low_pass", {"0", "1", "8"}}};
+                {"dequantize", {"0", "1", "4"}}, {"low_pass", {"0", "1", "2", "8"}}};
         small = {axes.begin() + 2, axes.end()};
     }
     axes.insert(axes.begin() + 1, {"bias_unit", {"quanta"}});

@@ -13,7 +13,15 @@
 namespace umbra78::tools::study {
 namespace {
 
-constexpr const char* roughness_column = "self_rough_px";
+// The edges that passes are chosen by: the surfaces' own shadow lines, which dither roughens most,
+// or cast shadows' edges in a scene that shows none of the others.
+struct ChosenBy {
+    const char *rough, *length, *moved, *name;
+};
+constexpr ChosenBy by_self{"self_rough_px", "self_length_ratio", "self_moved_px",
+                           "the surfaces' own shadow lines"};
+constexpr ChosenBy by_cast{"cast_rough_px", "cast_length_ratio", "cast_moved_px",
+                           "cast shadows' edges"};
 using ByPasses = std::map<std::pair<int, int>, const Row*>;  // (dequantize, low_pass)
 
 std::pair<int, int> passes_of(const Row& row) {
@@ -29,6 +37,15 @@ struct Group {
     std::string dither;
     double bias;
     ByPasses edges;
+
+    const ChosenBy& by() const {
+        return std::isnan(edges.begin()->second->number(by_self.rough)) ? by_cast : by_self;
+    }
+    bool has(const char* column) const {
+        return std::any_of(edges.begin(), edges.end(), [&](const auto& e) {
+            return !std::isnan(e.second->number(column));
+        });
+    }
 };
 
 struct Measured {
@@ -86,20 +103,27 @@ std::vector<PassesAndError> within_limits(const Group& group, const ByPasses& sm
         const auto lost = small.find(passes);
         if (!over_limit(*row, *none->second, lost == small.end() ? nullptr : lost->second).empty())
             continue;
-        kept.push_back({passes.first, passes.second, row->number(roughness_column)});
+        kept.push_back({passes.first, passes.second, row->number(group.by().rough)});
     }
     return kept;
 }
 
-std::string words_of(const Row& row) {
-    return fmt::format("{} px rough and {} times as long as the exact one (cast shadows: {} px, "
-                       "{} times)", rounded(row.number("self_rough_px")),
-                       rounded(row.number("self_length_ratio")),
-                       rounded(row.number("cast_rough_px")),
-                       rounded(row.number("cast_length_ratio")));
+std::string words_of(const Row& row, const ChosenBy& by) {
+    std::string words = fmt::format("{} px rough and {} times as long as the exact one",
+                                    rounded(row.number(by.rough)), rounded(row.number(by.length)));
+    if (&by == &by_self && !std::isnan(row.number(by_cast.rough)))
+        words += fmt::format(" (cast shadows: {} px, {} times)",
+                             rounded(row.number(by_cast.rough)),
+                             rounded(row.number(by_cast.length)));
+    return words;
 }
 
 void answer(const Request& request, const Group& group, const ByPasses& small, Report& report) {
+    if (!group.has(group.by().rough)) {
+        report.answer("The observer sees no edge of a shadow on a surface: there is nothing to "
+                      "smooth.");
+        return;
+    }
     const auto kept = within_limits(group, small);
     const auto least = least_by_passes(kept);
     const auto knee = knee_of_passes(least);
@@ -110,37 +134,40 @@ void answer(const Request& request, const Group& group, const ByPasses& small, R
     }
     const Row& chosen = *group.edges.at({knee->dequantize, knee->low_pass});
     const Row& unfiltered = *none->second;
+    const ChosenBy& by = group.by();
+    double least_rough = knee->error;
+    for (const PassesAndError& p : least) least_rough = std::min(least_rough, p.error);
     report.answer(fmt::format(
-        "The knee is at {}: the contour of the surfaces' own shadow lines is then {}. Unfiltered "
-        "it is {}. More passes within the limits bring it to {} px at most.",
-        name_of(passes_of(chosen)), words_of(chosen), words_of(unfiltered),
-        rounded(least.back().error)));
+        "The knee is at {}: the contour of {} is then {}. Unfiltered it is {}. The "
+        "smoothest passes within the limits leave {} px.",
+        name_of(passes_of(chosen)), by.name, words_of(chosen, by), words_of(unfiltered, by),
+        rounded(least_rough)));
     const shadow::Settings& s = request.scene.settings;
     const std::pair own{s.dequantize_passes, s.low_pass_passes};
     if (own != passes_of(chosen) && group.edges.contains(own))
         report.answer(fmt::format("The scene's own passes, {}, leave it {}.", name_of(own),
-                                  words_of(*group.edges.at(own))));
+                                  words_of(*group.edges.at(own), by)));
     report.answer(fmt::format(
-        "What no filter mends: the shadow line stays {} px inside the shadow (unfiltered {} px), "
-        "for the bias and the light's texels put it there; and waves longer than a few pixels "
-        "stay, {} px rms. The rates do not see the smoothing: false light goes from {} to {}, "
-        "false shadow from {} to {}.",
-        rounded(-chosen.number("self_moved_px")), rounded(-unfiltered.number("self_moved_px")),
-        rounded(least.back().error), percent(unfiltered.number("false_light")),
+        "What no filter mends: the contour lies {} px beside the exact edge on average "
+        "(unfiltered {} px; negative: the shadow is too small), for the bias and the light's "
+        "texels put it there; and waves longer than a few pixels stay, {} px rms. The rates do not "
+        "see the smoothing: false light goes from {} to {}, false shadow from {} to {}.",
+        rounded(chosen.number(by.moved)), rounded(unfiltered.number(by.moved)),
+        rounded(least_rough), percent(unfiltered.number("false_light")),
         percent(chosen.number("false_light")), percent(unfiltered.number("false_shadow")),
         percent(chosen.number("false_shadow"))));
     report.summary()["knee"] = {{"dequantize", knee->dequantize},
                                 {"low_pass", knee->low_pass},
-                                {"self_rough_px", knee->error}};
+                                {by.rough, knee->error}};
 }
 
 void plot_curve(const Group& group, const ByPasses& small, Report& report) {
-    Plot plot{"roughness", "Roughness of the shadow line over passes of the filters",
+    Plot plot{"roughness", "Roughness of the shadow's contour over passes of the filters",
               "passes of both filters", "rms distance from a fitted line, px", false, true, {}};
     Series dequantize{"dequantize alone", {}, true, {}}, low_pass{"low-pass alone", {}, true, {}};
     for (const auto& [passes, row] : group.edges) {
         const std::pair at{static_cast<double>(passes.first + passes.second),
-                           row->number(roughness_column)};
+                           row->number(group.by().rough)};
         if (passes.second == 0) dequantize.points.push_back(at);
         if (passes.first == 0) low_pass.points.push_back(at);
     }
@@ -151,13 +178,15 @@ void plot_curve(const Group& group, const ByPasses& small, Report& report) {
     }
     plot.series = {std::move(least), std::move(dequantize), std::move(low_pass)};
     report.plot(plot, fmt::format(
-        "Dither {}, bias {}. Labels are passes of dequantizing + of low-pass. The limits are those "
-        "of the table of small shadows and {} px of a cast edge's displacement; the curves of one "
-        "filter alone have none.", group.dither, rounded(group.bias), max_moved_px));
+        "Of {}; dither {}, bias {}. Labels are passes of dequantizing + of low-pass. The limits "
+        "are those of the table of small shadows and {} px of a cast edge's displacement; the curves "
+        "of one filter alone have none.", group.by().name, group.dither, rounded(group.bias),
+        max_moved_px));
 }
 
 void map_of(const Group& group, const char* name, const char* column, const char* title,
             Report& report) {
+    if (!group.has(column)) return;
     HeatMap map{name, title, "low-pass passes", "dequantize passes", column, {}, {}, {}};
     std::map<int, int> xs, ys;
     for (const auto& [passes, row] : group.edges) ys[passes.first] = xs[passes.second] = 0;
@@ -243,7 +272,7 @@ void report_all(const Request& request, std::span<const Row> rows, Report& repor
         return;
     }
     answer(request, *all.own, all.small, report);
-    plot_curve(*all.own, all.small, report);
+    if (all.own->has(all.own->by().rough)) plot_curve(*all.own, all.small, report);
     show_crops(request, *all.own, all.small, report);
     report.heading("Both filters");
     map_of(*all.own, "self-rough", "self_rough_px", "Roughness of the shadow line, px.", report);
