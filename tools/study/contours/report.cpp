@@ -179,8 +179,8 @@ void plot_curve(const Group& group, const ByPasses& small, Report& report) {
     plot.series = {std::move(least), std::move(dequantize), std::move(low_pass)};
     report.plot(plot, fmt::format(
         "Of {}; dither {}, bias {}. Labels are passes of dequantizing + of low-pass. The limits "
-        "are those of the table of small shadows and {} px of a cast edge's displacement; the curves "
-        "of one filter alone have none.", group.by().name, group.dither, rounded(group.bias),
+        "are those of the table of small shadows and {} px of a cast edge's displacement; the "
+        "curves of one filter alone have none.", group.by().name, group.dither, rounded(group.bias),
         max_moved_px));
 }
 
