@@ -1,5 +1,5 @@
-// The scene: spheres, planes and bicubic Bezier patches in world words, and their materials; and
-// the patches that spheres and planes become (hw/MACHINE.md, section 3).
+// The scene: spheres, planes, bicubic Bezier patches and meshes of triangles in world words, and
+// their materials; and the patches that spheres and planes become (hw/MACHINE.md, section 3).
 //
 // World: right-handed, x right, y up, z toward an observer at azimuth 0. World words are Q15.16.
 // A patch's control point (i, j) is control[4 j + i], i along u, j along v.
@@ -30,6 +30,22 @@ struct Material {
 struct Patch {
     std::array<World, 16> control{};
     std::uint16_t material = 0;
+};
+
+// A triangle of a mesh: numbers of its vertices and of their normals. A facet that has no normals
+// of its own is flat: each of its three numbers is `flat`.
+struct Facet {
+    static constexpr std::uint32_t flat = UINT32_MAX;
+    std::array<std::uint32_t, 3> vertex{};
+    std::array<std::uint32_t, 3> normal{flat, flat, flat};
+    std::uint16_t material = 0;
+};
+
+// Triangles that share vertices, seen from both sides. Normals are unit vectors in Q1.14.
+struct Mesh {
+    std::span<const World> vertices;
+    std::span<const std::array<std::int32_t, 3>> normals;
+    std::span<const Facet> facets;
 };
 
 struct Sphere {

@@ -22,6 +22,9 @@ struct LoadedScene {
     std::vector<raster::Sphere> spheres;
     std::vector<raster::Plane> planes;
     std::vector<raster::Patch> patches;  // of all surfaces: the spheres', the planes', free ones
+    std::vector<raster::World> vertices;  // of all meshes, and what joins them to triangles
+    std::vector<std::array<std::int32_t, 3>> normals;
+    std::vector<raster::Facet> facets;
     // Taken from all places above and from the views' targets: observer.recentre.
     raster::World origin{};
     std::size_t free_patches = 0;        // neither spheres' nor planes': truth has no closed form
