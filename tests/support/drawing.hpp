@@ -65,7 +65,7 @@ struct Unhiding {
     static constexpr bool shades = S::shades;
     S& sink;
     bool hidden(const raster::Footprint&) const { return false; }
-    void sample(const raster::Sample& s, std::uint32_t code, const raster::BlockShading* shading) {
+    void sample(const raster::Sample& s, std::uint32_t code, const auto* shading) {
         sink.sample(s, code, shading);
     }
 };
