@@ -2,6 +2,13 @@
 
 namespace umbra78::tools {
 
+std::size_t cubics(const Chain& chain) { return (chain.size() - 1) / 3; }
+
+Point beside(Point along) {
+    const Point axis = std::abs(along.y) < 0.9 ? Point{0, 1, 0} : Point{0, 0, 1};
+    return unit(cross(axis, along));
+}
+
 Point placed(Point p, const Placement& at) {
     const auto turned = [](double& a, double& b, double degrees) {
         const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));

@@ -7,12 +7,14 @@
 
 #include "tools/sculpt/point.hpp"
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace umbra78::tools {
 
 using Chain = std::vector<Point>;
+
+std::size_t cubics(const Chain&);
 
 inline constexpr double round_handle = 0.5522847498307936;  // 4/3 tan(22.5 degrees)
 

@@ -24,6 +24,9 @@ constexpr Point cross(Point a, Point b) {
 inline double length(Point a) { return std::sqrt(dot(a, a)); }
 inline Point unit(Point a) { return 1 / length(a) * a; }
 
+// A direction of length 1 at right angles to one of length 1.
+Point beside(Point along);
+
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 // A part is scaled along its axes, turned about x, then y, then z, and then moved.

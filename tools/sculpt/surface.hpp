@@ -14,7 +14,7 @@ namespace umbra78::tools {
 using Net = std::array<Point, 16>;
 using Surface = std::vector<Net>;
 
-Point at(const Net&, double u, double v);
+Point point_on(const Net&, double u, double v);
 
 // A profile (x is the radius, y the height) carried around the y axis along a section of radius 1:
 // circle(n) makes a surface of revolution, rounded_square(h) one with flat sides.
