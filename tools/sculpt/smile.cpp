@@ -13,7 +13,7 @@
 namespace umbra78::tools {
 namespace {
 
-// The mouth lies on an upright cylinder of elliptic section, as wide as the row of teeth.
+// The mouth lies on an upright cylinder of elliptic section, somewhat wider than the lips.
 constexpr double arch_half_width = 3.0, arch_depth = 1.9;
 
 struct OnArch {
@@ -32,7 +32,7 @@ struct LipSection {
     double x, y, up, down, front, back;
 };
 
-// From the middle to the corner at the left of who smiles; the other half is its mirror.
+// From the middle to the left corner, which is at +x; the other half is its mirror.
 const std::vector<LipSection> upper_lip{
     {0.00, 0.62, 0.21, 0.22, 0.38, 0.22}, {0.40, 0.66, 0.28, 0.22, 0.40, 0.22},
     {0.95, 0.72, 0.26, 0.20, 0.38, 0.21}, {1.50, 0.86, 0.22, 0.19, 0.34, 0.20},
@@ -68,13 +68,16 @@ Surface lip(const std::vector<LipSection>& half) {
     return loft(sections);
 }
 
-// A tooth of the upper row: its middle, its ends above and below, half its width.
+// A pair of upper teeth: the middle of the left one, its ends above and below, half its width.
 struct Tooth {
+    const char* name;
     double x, top, edge, half_width;
 };
-const std::vector<Tooth> teeth{{0.275, 0.60, -0.27, 0.280}, {0.770, 0.62, -0.20, 0.220},
-                               {1.190, 0.68, -0.11, 0.215}, {1.570, 0.74, 0.13, 0.190},
-                               {1.890, 0.86, 0.43, 0.175},  {2.130, 1.06, 0.66, 0.155}};
+const std::vector<Tooth> teeth{
+    {"middle incisors", 0.275, 0.60, -0.27, 0.280}, {"side incisors", 0.770, 0.62, -0.20, 0.220},
+    {"canines", 1.190, 0.68, -0.11, 0.215},         {"first premolars", 1.570, 0.74, 0.13, 0.190},
+    {"second premolars", 1.890, 0.86, 0.43, 0.175}, {"molars", 2.130, 1.06, 0.66, 0.155},
+};
 
 Surface tooth(const Tooth& t) {
     const OnArch spot = on_arch(t.x, (t.top + t.edge) / 2);
@@ -89,10 +92,8 @@ Surface tooth(const Tooth& t) {
 std::vector<Part> smile_parts() {
     std::vector<Part> parts{{"lips", "upper lip", lip(upper_lip)},
                             {"lips", "lower lip", lip(lower_lip)}};
-    for (const Tooth& t : teeth) {
-        parts.push_back({"teeth", "tooth", tooth(t)});
-        parts.push_back({"teeth", "tooth, mirrored", mirrored(tooth(t))});
-    }
+    for (const Tooth& t : teeth)
+        parts.push_back({"teeth", t.name, joined({tooth(t), mirrored(tooth(t))})});
     return parts;
 }
 

@@ -1,7 +1,7 @@
 // Surfaces of bicubic Bezier patches, made from curves.
 //
 // A net is the 16 control points of a patch, point (i, j) at 4 j + i. Patches of one surface that
-// meet share the control points of their border.
+// meet share the control points of their border. A surface of free patches is a list of their nets.
 #pragma once
 
 #include "tools/sculpt/curve.hpp"
