@@ -11,6 +11,7 @@
 // Not emulated: the clock (drawing_cost.hpp makes operations of the counts).
 #pragma once
 
+#include "raster/dice.hpp"
 #include "raster/facet.hpp"
 #include "raster/footprint.hpp"
 #include "raster/leaf_centres.hpp"
@@ -47,6 +48,7 @@ hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat o
                          MatrixWords& out);
 
 struct DrawCounts {
+    std::uint64_t subdivided() const { return patches - diced_patches; }
     std::uint64_t patches = 0, blocks = 0;
     std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
     std::uint64_t facet_samples = 0;  // those of facets among them
@@ -56,10 +58,17 @@ struct DrawCounts {
     std::uint64_t splits = 0;
     std::uint64_t tested_centres = 0;  // pixel centres in a leaf's window
     std::uint64_t facets = 0, cut_facets = 0;  // of the mesh; those cut to the guard band
+    std::uint64_t diced_patches = 0, diced_vertices = 0;
+    std::uint64_t back_triangles = 0;          // left out by their facing
     std::uint64_t triangles = 0;               // that may cover a centre
     std::uint64_t triangle_lines = 0;          // scan lines in their boxes
     std::uint64_t unresolved_facets = 0;       // dropped: a corner has no quotient
 };
+
+// How patches become samples: by Catmull's subdivision, or diced to facets (dice.hpp).
+enum class PatchForm : std::uint8_t { catmull, diced };
+// Which facets are drawn: all, or those whose vertices turn counter-clockwise as they are seen.
+enum class Facing : std::uint8_t { both, front };
 
 struct DrawSetup {
     MachineSpec spec;
@@ -68,6 +77,10 @@ struct DrawSetup {
     Sampling sampling = Sampling::centre;
     std::span<const Material> materials;  // at least as many as the patches name
     ShadingSpec shading;                  // read only by a sink that shades
+    PatchForm form = PatchForm::catmull;
+    int dice_levels = 4;              // at most so many
+    std::int64_t dice_tolerance = 0;  // world words
+    Facing facing = Facing::both;
     hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point
 };
 
@@ -88,6 +101,7 @@ struct DrawMemory {
     std::array<StackBlock, 2 * deepest_level + 2> stack;
     Corners corners;
     std::array<CornerGrid<std::int64_t>, 4> homogeneous;
+    DiceMemory dice;
 };
 
 namespace detail {
@@ -206,6 +220,10 @@ void draw_facets(const Mesh& mesh, const DrawSetup& setup, const Emitter<SampleS
         for (std::size_t k = 0; k < walk.triangles(); ++k) {
             const FacetTriangle triangle = walk.triangle(k);
             const auto& [a, b, c] = triangle.screen;
+            if (setup.facing == Facing::front && turn(a, b, c.x, c.y) > 0) {
+                ++counts.back_triangles;
+                continue;
+            }
             std::uint64_t lines = 0;
             if constexpr (SampleSink::shades) {
                 const FacetShading shading(triangle, walk.facet(), facet.normal[0] == Facet::flat,
@@ -223,6 +241,20 @@ void draw_facets(const Mesh& mesh, const DrawSetup& setup, const Emitter<SampleS
     }
 }
 
+template <class SampleSink>
+void draw_diced(std::span<const Patch> patches, std::span<const std::uint32_t> order,
+                const DrawSetup& setup, DrawMemory& memory, const Emitter<SampleSink>& emit) {
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        const Patch& patch = patches[order.empty() ? k : order[k]];
+        const DiceLevels levels = dice_levels(patch, setup.dice_levels, setup.dice_tolerance);
+        const Mesh mesh = dice(patch, levels, SampleSink::shades, memory.dice);
+        ++emit.counts.patches;
+        ++emit.counts.diced_patches;
+        emit.counts.diced_vertices += mesh.vertices.size();
+        draw_facets(mesh, setup, emit);
+    }
+}
+
 }  // namespace detail
 
 // Draws the patches, patches[order[0]], patches[order[1]], ..., or all in turn if `order` is empty,
@@ -236,8 +268,12 @@ DrawCounts draw(const Surfaces& surfaces, std::span<const std::uint32_t> order,
                    "draw: the order is not one of these patches");
     DrawCounts counts;
     const detail::Emitter<SampleSink> emit{setup, sink, counts};
-    detail::draw_patches(surfaces.patches, order, setup, memory, emit);
-    const std::uint64_t of_patches = counts.samples;
+    if (setup.form == PatchForm::diced) {
+        detail::draw_diced(surfaces.patches, order, setup, memory, emit);
+    } else {
+        detail::draw_patches(surfaces.patches, order, setup, memory, emit);
+    }
+    const std::uint64_t of_patches = setup.form == PatchForm::diced ? 0 : counts.samples;
     if (!surfaces.mesh.facets.empty()) detail::draw_facets(surfaces.mesh, setup, emit);
     counts.facet_samples = counts.samples - of_patches;
     return counts;

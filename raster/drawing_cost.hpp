@@ -1,7 +1,7 @@
 // What drawing a view costs, in operations: the counts of a drawing times what each thing costs.
 //
 // The constants count the additions, products and quotients in the formulas of hw/MACHINE.md,
-// sections 6, 7, 9, 14 and 21, component by component; the tables there (sections 16 and 21) are
+// sections 6, 7, 9, 14, 21 and 22, component by component; the tables there (sections 16, 21 and 22) are
 // these.
 #pragma once
 
@@ -47,6 +47,10 @@ inline constexpr Operations triangle_sample{4, 0, 0, 0, 0, 2};  // Z steps; the 
 // Two sides of the facet, their product and its length.
 inline constexpr Operations facet_normal{12, 6, 24, 4, 30 + 3 * 15, 0};
 inline constexpr Operations corner_weights{0, 6, 24, 2, 2 * 11, 0};  // of a shaded sample
+// A vertex of a diced patch: Bernstein's sums by rows, then over the rows, of three components; two
+// tangents, their product and its length.
+inline constexpr Operations diced_vertex{48, 60, 120};
+inline constexpr Operations diced_normal{120, 105, 228, 4, 30 + 3 * 15, 0};
 inline constexpr std::uint64_t facet_quotients = 9;  // in perspective: X, Y and Z of 3 corners
 
 }  // namespace cost
@@ -61,9 +65,9 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
     const std::uint64_t screen = affine ? 3 : 4, components = screen + (shades ? 3 : 0);
     const auto transform = static_cast<std::uint64_t>(
         hw::transform_cycles(spec, affine) * spec.multipliers);  // an idle multiplier counts
-    const std::uint64_t points = 16 * counts.patches + 3 * counts.facets;
+    const std::uint64_t points = 16 * counts.subdivided() + 3 * counts.facets;
     Operations o{.products = points * (affine ? 9u : 16u), .passes = points * transform};
-    o.adds += components * (counts.patches * cost::corners_from_control +
+    o.adds += components * (counts.subdivided() * cost::corners_from_control +
                             counts.splits * cost::split);
     o.adds += screen * (counts.tested_blocks * cost::bounds_and_action +
                         counts.blocks * cost::leaf_corners);
@@ -81,6 +85,8 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
     } else {
         o += leaves_drawn * cost::leaf_mean + of_patches * cost::leaf_sample;
     }
+    o += counts.diced_vertices * cost::diced_vertex;
+    if (shades) o += counts.diced_vertices * cost::diced_normal;
     o += counts.triangles * cost::triangle_setup + counts.triangle_lines * cost::triangle_line +
          counts.facet_samples * cost::triangle_sample;
     if (shades)

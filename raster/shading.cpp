@@ -12,16 +12,6 @@ using fixed::Rounding;
 
 constexpr std::int64_t one_q14 = std::int64_t{1} << unit_fraction;
 
-// Brings the largest component to at most `bits` bits, so that what follows fits 64.
-WideVector scaled_to(WideVector v, int bits) {
-    std::uint64_t largest = 0;
-    for (const std::int64_t c : v) largest = std::max(largest, fixed::magnitude(c));
-    const int down = static_cast<int>(std::bit_width(largest)) - bits;
-    if (down > 0)
-        for (std::int64_t& c : v) c = fixed::round_shift(c, down, Rounding::half_up);
-    return v;
-}
-
 bool is_zero(const WideVector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
 // Three times the derivative at one end of a curve with ends a and b:
@@ -84,6 +74,15 @@ std::uint8_t level(std::int64_t sum_q22) {
 }
 
 }  // namespace
+
+WideVector scaled_to(WideVector v, int bits) {
+    std::uint64_t largest = 0;
+    for (const std::int64_t c : v) largest = std::max(largest, fixed::magnitude(c));
+    const int down = static_cast<int>(std::bit_width(largest)) - bits;
+    if (down > 0)
+        for (std::int64_t& c : v) c = fixed::round_shift(c, down, Rounding::half_up);
+    return v;
+}
 
 UnitVector unit_vector(WideVector v) {
     v = scaled_to(v, 30);

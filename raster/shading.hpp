@@ -31,6 +31,9 @@ inline constexpr int object_guard = 6;  // fraction bits of places beyond those 
 inline constexpr int unit_fraction = 14;
 using UnitVector = Vector<std::int32_t>;  // Q1.14
 
+// v with as many low bits rounded off, half up, as bring the largest component to `bits` bits.
+WideVector scaled_to(WideVector v, int bits);
+
 // v / |v| in Q1.14, rounded half up; 0 for 0.
 UnitVector unit_vector(WideVector v);
 

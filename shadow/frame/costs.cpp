@@ -26,10 +26,10 @@ StageCycles points(std::uint64_t count, const Settings& s, bool affine, bool div
 StageCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix,
                  const raster::DrawCounts& counts, bool shades, const FramePlan& plan) {
     const Settings& s = drawn.inputs.settings;
-    StageCycles c = points(control_points * counts.patches + vertices * counts.facets, s,
+    StageCycles c = points(control_points * counts.subdivided() + vertices * counts.facets, s,
                            matrix.affine, matrix.affine && plan.unit_work().divide, plan);
     hw::Operations o = drawing_operations(drawn.inputs, matrix, counts, shades);
-    const raster::DrawCounts points_alone{.patches = counts.patches, .facets = counts.facets};
+    const raster::DrawCounts points_alone{.patches = counts.subdivided(), .facets = counts.facets};
     o.passes -= drawing_operations(drawn.inputs, matrix, points_alone, false).passes;
     c.operations = method_of(drawn.inputs).units(o, s);
     return c;

@@ -104,8 +104,11 @@ Reach cull(const FrameInputs& in, std::size_t light) {
         }
     };
     Footprint of_light{}, of_observer{};
+    // A diced patch's vertices are rounded, so its hull's bounds do not hold for its facets.
+    const bool diced = in.settings.surface == raster::PatchForm::diced;
+    if (diced && !in.scene.patches.empty()) reach.into_light = true;
     for (const raster::Patch& patch : in.scene.patches)
-        count(seen(patch, in, m.world_to_light, of_light),
+        if (!diced) count(seen(patch, in, m.world_to_light, of_light),
               seen(patch, in, in.matrices.world_to_observer, of_observer), of_observer);
     FacetView light_view(in, m.world_to_light);
     FacetView observer_view(in, in.matrices.world_to_observer);

@@ -30,6 +30,12 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
                    "frame carved for fewer patches than the scene has");
 }
 
+// A quarter of the observer's pixel at its target: both views are diced alike.
+inline std::int64_t dice_tolerance(const FrameInputs& in) {
+    return fixed::floor_shift(std::int64_t{in.scene.observer.extent},
+                              in.settings.machine.xy_bits + 1);
+}
+
 // Surfaces are shaded by the first light.
 inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan,
                                     const hw::MatrixWords& matrix) {
@@ -41,6 +47,10 @@ inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan
             in.scene.materials,
             {in.settings.ambient_q8, raster::toward_eye(in.scene.lights[0], object),
              raster::toward_eye(in.scene.observer, object)},
+            in.settings.surface,
+            in.settings.dice_levels,
+            dice_tolerance(in),
+            in.settings.facing,
             plan.unit_work()};
 }
 

@@ -1,6 +1,7 @@
 #include "shadow/frame/ledger.hpp"
 
 #include "raster/drawing_cost.hpp"
+#include "shadow/frame/drawing.hpp"
 #include "shadow/frame/filter_cost.hpp"
 
 #include <algorithm>
@@ -24,7 +25,9 @@ PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
     CountingSink sink;
     const raster::DrawSetup setup{in.settings.machine,     matrix,
                                   in.matrices.object,      in.settings.sampling,
-                                  in.scene.materials, {}};
+                                  in.scene.materials,      {},
+                                  in.settings.surface,     in.settings.dice_levels,
+                                  dice_tolerance(in),      in.settings.facing};
     counts = raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
     return phase(drawing_operations(in, matrix, counts, shades), in);
 }

@@ -1,5 +1,6 @@
 #include "shadow/frame/reuse.hpp"
 
+#include "shadow/frame/drawing.hpp"
 #include "shadow/frame/methods.hpp"
 
 #include <algorithm>
@@ -25,6 +26,15 @@ bool same_places(const raster::Mesh& a, const raster::Mesh& b) {
                               [](const auto& p, const auto& q) { return p.vertex == q.vertex; });
 }
 
+// How patches become facets, and which facets are drawn.
+bool same_facets(const FrameInputs& a, const FrameInputs& b) {
+    const Settings &s = a.settings, &t = b.settings;
+    const bool facets = s.surface == raster::PatchForm::diced || !a.scene.mesh.facets.empty();
+    if (s.surface != t.surface || (facets && s.facing != t.facing)) return false;
+    return s.surface == raster::PatchForm::catmull ||
+           (s.dice_levels == t.dice_levels && dice_tolerance(a) == dice_tolerance(b));
+}
+
 // What both views' Z is drawn from, but for the view's own matrix.
 bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
     const hw::MachineSpec &m = a.settings.machine, &n = b.settings.machine;
@@ -32,7 +42,7 @@ bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
     return m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
            m.coefficient_bits == n.coefficient_bits &&
            m.transform_rounding == n.transform_rounding && m.depth_rounding == n.depth_rounding &&
-           a.settings.sampling == b.settings.sampling && f.bits == g.bits &&
+           a.settings.sampling == b.settings.sampling && same_facets(a, b) && f.bits == g.bits &&
            f.fraction == g.fraction &&
            std::equal(a.scene.patches.begin(), a.scene.patches.end(), b.scene.patches.begin(),
                       b.scene.patches.end(),

@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 2> divide_names{"exact", "round_first"};
 constexpr std::array<std::string_view, 2> divider_names{"serial", "pipelined"};
 constexpr std::array<std::string_view, 2> dram_rows_names{"lines", "words"};
 constexpr std::array<std::string_view, 3> video_names{"off", "observer", "all"};
+constexpr std::array<std::string_view, 2> surface_names{"catmull", "diced"};
+constexpr std::array<std::string_view, 2> facing_names{"both", "front"};
 constexpr std::array<std::string_view, 2> sampling_names{"leaf", "centre"};
 constexpr std::array<std::string_view, 2> registration_names{"centre", "index"};
 constexpr std::array<std::string_view, 2> lookup_names{"nearest", "bilinear"};
@@ -73,6 +75,15 @@ constexpr std::array table{
     choice<UMBRA78_ACCESS(machine.divide_order)>(
         "divide_order", divide_names,
         "perspective: round at the quotient, or x and w before it (to show what that costs)"),
+    choice<UMBRA78_ACCESS(surface)>(
+        "surface", surface_names,
+        "patches: subdivided to the pixel, or diced to triangles, which is faster and coarser"),
+    whole<UMBRA78_ACCESS(dice_levels)>(
+        "dice_levels", "levels", 0, 5,
+        "a diced patch has at most 2^levels cells a side; flat ones take fewer"),
+    choice<UMBRA78_ACCESS(facing)>(
+        "facing", facing_names,
+        "triangles drawn: all, or those whose vertices turn counter-clockwise as they are seen"),
     choice<UMBRA78_ACCESS(sampling)>(
         "sampling", sampling_names,
         "a drawn sample: the leaf's centre as it falls, or the surface at the pixel's centre"),

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "hw/ap120b/processor.hpp"
-#include "raster/sampling.hpp"
+#include "raster/draw.hpp"
 #include "shadow/bias.hpp"
 #include "shadow/clocked/timed_test.hpp"
 #include "shadow/filters/composite.hpp"
@@ -25,6 +25,9 @@ enum class Arithmetic : std::uint8_t { fixed, ap120b };
 // What the shadow test reads (machine, timing, registration, lookup, background, dither) is the
 // base class; the members here are what the other stages of a frame read.
 struct Settings : TimedTest {
+    raster::PatchForm surface = raster::PatchForm::catmull;
+    std::int32_t dice_levels = 4;  // a diced patch has at most 2^levels cells a side
+    raster::Facing facing = raster::Facing::both;
     raster::Sampling sampling = raster::Sampling::centre;
     std::int64_t bias_q16 = 64 << 16;  // in bias_unit, Q.16
     BiasUnit bias_unit = BiasUnit::quanta;

@@ -100,6 +100,9 @@ public:
         const hw::WordFormat object = raster::object_format(surfaces);
         raster::DrawSetup setup{spec_, {}, object, sampling, materials, {}};
         EXPECT_EQ(raster::load_view(view, spec_, object, setup.matrix), hw::LoadStatus::ok);
+        setup.form = form;
+        setup.dice_tolerance = dice_tolerance;
+        setup.facing = facing;
         setup.shading.ambient_q8 = ambient_q8;
         setup.shading.viewer = raster::toward_eye(view, object);
         if (light != nullptr) setup.shading.light = raster::toward_eye(*light, object);
@@ -115,6 +118,9 @@ public:
 
     std::vector<raster::Material> materials{raster::Material{}};
     std::int32_t ambient_q8 = 77;
+    raster::PatchForm form = raster::PatchForm::catmull;
+    std::int64_t dice_tolerance = 0;
+    raster::Facing facing = raster::Facing::both;
 
 private:
     std::size_t pixels() const { return std::size_t{1} << (2 * spec_.xy_bits); }

@@ -1,10 +1,12 @@
-// umbra78 figures: draws figures 1 to 6, prints their errors and cost, compares with the goldens.
+// umbra78 figures: draws figures 1 to 8 and the gallery, prints their errors and cost, compares with
+// the goldens.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/console.hpp"
 #include "tools/io/sheet.hpp"
 #include "tools/paper/figure_comparisons.hpp"
 #include "tools/paper/goldens.hpp"
+#include "tools/paper/scene_pictures.hpp"
 #include "tools/paper/scene_words.hpp"
 #include "tools/scene/settings_text.hpp"
 
@@ -27,17 +29,31 @@ struct Options {
 
 std::string picture_name(const Figure& figure) { return fmt::format("fig{}.png", figure.number); }
 
-// By name of a figure's buffer: "ok", "DIFFERS", or "none" where there is no golden.
+// All that is drawn.
+struct Drawn {
+    FigureSet set;
+    std::vector<DrawnScene> scenes;
+
+    // Of every stage of figures 1 to 6, and the scenes' pictures.
+    std::vector<Buffer> buffers() const {
+        std::vector<Buffer> all = set.buffers();
+        for (const DrawnScene& d : scenes)
+            if (d.left_out.empty()) all.push_back(d.buffer());
+        return all;
+    }
+};
+
+// By name of a buffer: "ok", "DIFFERS", or "none" where there is no golden.
 using Statuses = std::map<std::string, std::string>;
 
-Statuses statuses(const FigureSet& set, const Hashes& hashes,
-                  std::span<const GoldenCheck> checks) {
+Statuses statuses(const Drawn& drawn, const Hashes& hashes, std::span<const GoldenCheck> checks) {
     Statuses result;
-    for (const Figure& f : set.figures()) {
-        const auto found = hashes.find(f.golden);
-        result[f.golden] = found == hashes.end() ? "none" : "ok";
-        if (found != hashes.end() && found->second != f.hash) result[f.golden] = "DIFFERS";
-    }
+    const auto add = [&](const std::string& name, const std::string& hash) {
+        const auto found = hashes.find(name);
+        result[name] = found == hashes.end() ? "none" : found->second == hash ? "ok" : "DIFFERS";
+    };
+    for (const Figure& f : drawn.set.figures()) add(f.golden, f.hash);
+    for (const DrawnScene& d : drawn.scenes) add(std::string(d.of->name), d.hash);
     for (const GoldenCheck& check : checks)
         if (!check.problem.empty()) result[check.buffer] = "DIFFERS";
     return result;
@@ -51,7 +67,22 @@ Rate false_light(const Figure& f) {
     return f.error ? Rate(f.error->all.false_light_rate()) : Rate();
 }
 
-void write_contact_sheet(const Path& path, const FigureSet& set, FileSet& files) {
+// A scene's caption: what it shows, of how many pieces, its error.
+SheetCell cell_of(const DrawnScene& d, const std::string& title) {
+    std::string pieces;
+    if (d.patches > 0) pieces = fmt::format("{} patches", d.patches);
+    if (d.triangles > 0)
+        pieces += fmt::format("{}{} triangles", pieces.empty() ? "" : ", ", d.triangles);
+    SheetCell cell{d.size_px, d.size_px, d.picture, {title, pieces}};
+    if (d.error)
+        cell.caption.push_back(fmt::format("false shadow {} %, false light {} %",
+                                           percent(d.error->all.false_shadow_rate()),
+                                           percent(d.error->all.false_light_rate())));
+    return cell;
+}
+
+void write_contact_sheet(const Path& path, const Drawn& drawn, FileSet& files) {
+    const FigureSet& set = drawn.set;
     std::vector<SheetCell> cells;
     for (const Figure& f : set.figures()) {
         std::vector<std::string> caption{fmt::format("Fig. {}: {}", f.number, f.shows),
@@ -61,14 +92,31 @@ void write_contact_sheet(const Path& path, const FigureSet& set, FileSet& files)
                                           percent(false_shadow(f)), percent(false_light(f))));
         cells.push_back({set.size_px(), set.size_px(), f.picture, std::move(caption)});
     }
+    for (const DrawnScene& d : drawn.scenes)
+        if (d.of->figure)
+            cells.push_back(cell_of(d, fmt::format("Fig. {}: {}", d.of->name.substr(3),
+                                                   d.of->shows)));
     write_sheet(path, cells, {.columns = 3}, &files);
+}
+
+void write_scenes(const Path& out, const Drawn& drawn, FileSet& files) {
+    std::vector<SheetCell> cells;
+    for (const DrawnScene& d : drawn.scenes) {
+        if (!d.left_out.empty()) continue;
+        const Path folder = d.of->figure ? out : out / "gallery";
+        write_png_gray(folder / fmt::format("{}.png", d.of->name), d.size_px, d.size_px, d.picture,
+                       &files);
+        if (!d.of->figure) cells.push_back(cell_of(d, std::string(d.of->shows)));
+    }
+    write_sheet(out / "gallery" / "sheet.png", cells, {.columns = 3}, &files);
 }
 
 double machine_ms(const FigureSet& set, const Figure& f) {
     return simulated_ms(f.machine_cycles, set.clock_ns());
 }
 
-ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total_ms) {
+ordered_json to_json(const Drawn& drawn, const Statuses& goldens, double total_ms) {
+    const FigureSet& set = drawn.set;
     ordered_json json{{"size_px", set.size_px()}, {"cycle_ns", set.clock_ns()}};
     for (const Figure& f : set.figures()) {
         json["figures"].push_back({{"figure", f.number},
@@ -84,7 +132,11 @@ ordered_json to_json(const FigureSet& set, const Statuses& goldens, double total
                                    {"error", to_json(f.error)},
                                    {"settings", settings_json(f.settings)}});
     }
-    for (const Buffer& buffer : set.buffers()) json["hashes"][buffer.name] = hash_of(buffer);
+    for (const DrawnScene& d : drawn.scenes) {
+        ordered_json& row = json["scenes"].emplace_back(to_json(d));
+        if (d.left_out.empty()) row["golden"] = goldens.at(std::string(d.of->name));
+    }
+    for (const Buffer& buffer : drawn.buffers()) json["hashes"][buffer.name] = hash_of(buffer);
     json["total_host_ms"] = total_ms;
     return json;
 }
@@ -110,6 +162,24 @@ void print_rows(const FigureSet& set, const Statuses& goldens) {
     }
 }
 
+void print_scenes(const Drawn& drawn, const Statuses& goldens) {
+    fmt::print("\n{:<9}{:<33}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", "picture", "shows", "hash",
+               "golden", "patches", "triangles", "FS %", "FL %");
+    for (const DrawnScene& d : drawn.scenes) {
+        const std::string name(d.of->name);
+        if (!d.left_out.empty()) {
+            fmt::print("{:<9}left out: {}\n", name, d.left_out);
+            continue;
+        }
+        fmt::print("{:<9}{:<33}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", name, d.of->shows, d.hash,
+                   goldens.at(name), d.patches, d.triangles,
+                   percent(d.error ? d.error->all.false_shadow_rate() : Rate()),
+                   percent(d.error ? d.error->all.false_light_rate() : Rate()));
+    }
+    fmt::print("\nWhat the shadow of one light costs, over the observer's view alone:\n{}",
+               cost_table(drawn.scenes));
+}
+
 // Prints what differs and draws a picture of each difference. Returns whether nothing differs.
 bool accept(std::span<const GoldenCheck> checks, const Options& options, int size_px,
             FileSet& files) {
@@ -133,10 +203,12 @@ bool accept(std::span<const GoldenCheck> checks, const Options& options, int siz
     return all_right;
 }
 
-void write_pictures(const Path& out, const FigureSet& set, FileSet& files) {
+void write_pictures(const Path& out, const Drawn& drawn, FileSet& files) {
+    const FigureSet& set = drawn.set;
     for (const Figure& f : set.figures())
         write_png_gray(out / picture_name(f), set.size_px(), set.size_px(), f.picture, &files);
-    write_contact_sheet(out / "sheet.png", set, files);
+    write_contact_sheet(out / "sheet.png", drawn, files);
+    write_scenes(out, drawn, files);
     write_highlights(out / "highlights.png", &files);
     write_samplings(out / "samplings.png", set, &files);
     write_ap120b_comparison(out / "ap120b.png", set, &files);
@@ -152,8 +224,10 @@ void run(const Options& options, int& exit_code) {
     FileSet files;
     const Path out = options.out;
     files.make_folder(out);  // before the work, for its error
-    const FigureSet set;
-    const std::vector<Buffer> buffers = set.buffers();
+    files.make_folder(out / "gallery");
+    const Drawn drawn{{}, draw_scene_pictures(UMBRA78_SOURCE_DIR "/tools/scenes")};
+    const FigureSet& set = drawn.set;
+    const std::vector<Buffer> buffers = drawn.buffers();
     const std::vector<GoldenCheck> checks =
         options.check ? check(options.goldens, buffers) : std::vector<GoldenCheck>{};
     Hashes hashes = read_hashes(options.goldens);
@@ -163,13 +237,13 @@ void run(const Options& options, int& exit_code) {
         bless(options.goldens, buffers, files);
         for (const Buffer& buffer : buffers) hashes[buffer.name] = hash_of(buffer);
     }
-    write_pictures(out, set, files);
-    const Statuses goldens = statuses(set, hashes, checks);
+    write_pictures(out, drawn, files);
+    const Statuses goldens = statuses(drawn, hashes, checks);
     const bool right = accept(checks, options, set.size_px(), files);
     exit_code = right ? 0 : 1;
     const std::chrono::duration<double, std::milli> total =
         std::chrono::steady_clock::now() - start;
-    const std::string json = print(to_json(set, goldens, total.count()));
+    const std::string json = print(to_json(drawn, goldens, total.count()));
     write_file(out / "figures.json", std::as_bytes(std::span(json)), &files);
     files.commit();
 
@@ -178,10 +252,11 @@ void run(const Options& options, int& exit_code) {
         return;
     }
     print_rows(set, goldens);
+    print_scenes(drawn, goldens);
     if (options.bless) fmt::print("Goldens written to {}.\n", options.goldens);
     if (options.check && right)
         fmt::print("Every buffer equals its golden in {}.\n", options.goldens);
-    fmt::print("{}: fig1.png .. fig6.png, sheet.png, highlights.png, samplings.png, "
+    fmt::print("{}: fig1.png .. fig8.png, gallery/, sheet.png, highlights.png, samplings.png, "
                "ap120b.png, figures.json; {:.0f} ms in all.\n", out.string(), total.count());
 }
 
@@ -189,7 +264,7 @@ void run(const Options& options, int& exit_code) {
 
 void add_figures_command(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<Options>();
-    Command command(app, "figures", "Draw figures 1 to 6 of Williams 1978");
+    Command command(app, "figures", "Draw figures 1 to 8 of Williams 1978, and the gallery");
     command.output_folder("--out", options->out, "Folder for the pictures").default_shown();
     command.text("--goldens", options->goldens, "DIR", "Folder of the goldens").default_shown();
     const Argument check = command.flag(

@@ -73,6 +73,8 @@ TEST(CostTable, Facets) {
     expect_row(row("line of its box", c::triangle_line));
     expect_row(row("sample of a facet", c::triangle_sample));
     expect_row(row("facet, shading: its own normal", c::facet_normal));
+    expect_row(row("vertex of a diced patch", c::diced_vertex));
+    expect_row(row("its normal, where the view shades", c::diced_normal));
     expect_row(row("shaded sample of a facet, beside section 16's", c::corner_weights));
 }
 

@@ -72,14 +72,14 @@ using Expected = std::map<std::string_view, std::string>;
 const Expected post_process_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "LDO"},
     {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""},
-    {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"}, {"background", "LDO"},
+    {"surface", ""}, {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"}, {"background", "LDO"},
     {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"}, {"dither_size", "LDO"},
     {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
     {"composite", "LDOM"}, {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
 const Expected correct_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
     {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""},
-    {"sampling", ""}, {"registration", "L"}, {"lookup", "L"}, {"background", "L"},
+    {"surface", ""}, {"sampling", ""}, {"registration", "L"}, {"lookup", "L"}, {"background", "L"},
     {"bias", "L"}, {"bias_unit", "LD"},  // 192 texels: nothing is tested any more
     {"dither", "L"}, {"dither_size", "L"},
     {"dither_seed", "L"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "L"},

@@ -31,8 +31,8 @@ using A = Anything;
 // Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
 // is a compile error here until it is named, and then a failure below until the table names it too.
 static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
-static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A> &&
-              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A>);
+static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
+              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
 auto members(const Settings& s) {
     const auto& [machine, registration, lookup, background, dither] =
         static_cast<const ShadowTest&>(s);
@@ -45,7 +45,8 @@ auto members(const Settings& s) {
     const auto& [access_ns, cycle_ns, column_ns, page_ns, rows, video] = dram;
     return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                            max_accumulator_bits, product_rounding, transform_rounding,
-                           coefficient_rounding, depth_rounding, divide_order, s.sampling,
+                           coefficient_rounding, depth_rounding, divide_order, s.surface,
+                           s.dice_levels, s.facing, s.sampling,
                            registration, lookup, background, s.bias_q16, s.bias_unit, shape,
                            size_q8, seed, s.dequantize_passes, s.low_pass_passes, s.ambient_q8,
                            s.composite, s.density_q8, s.form,
@@ -138,6 +139,8 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"accumulator_bits", 64}, {"product_rounding", 0},
         {"coefficient_rounding", 6}, {"depth_rounding", 3},
         {"divide_order", 0},    {"sampling", 1},
+        {"surface", 0},         {"dice_levels", 4},
+        {"facing", 0},
         {"registration", 0},    {"lookup", 0},
         {"background", 0},      {"bias", 64 << 16},
         {"bias_unit", 0},       {"dither", 0},
@@ -181,6 +184,10 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     }
     all.push_back(named("divide_order", "exact", hw::DivideOrder::exact));
     all.push_back(named("divide_order", "round_first", hw::DivideOrder::round_first));
+    all.push_back(named("surface", "catmull", raster::PatchForm::catmull));
+    all.push_back(named("surface", "diced", raster::PatchForm::diced));
+    all.push_back(named("facing", "both", raster::Facing::both));
+    all.push_back(named("facing", "front", raster::Facing::front));
     all.push_back(named("sampling", "leaf", raster::Sampling::leaf));
     all.push_back(named("sampling", "centre", raster::Sampling::centre));
     all.push_back(named("registration", "centre", Registration::centre));
@@ -285,6 +292,9 @@ TEST(SettingsTable, RangesAreThese) {
         {"coefficient_rounding", {0, 6}},
         {"depth_rounding", {0, 6}},
         {"divide_order", {0, 1}},
+        {"surface", {0, 1}},
+        {"dice_levels", {0, 5}},
+        {"facing", {0, 1}},
         {"sampling", {0, 1}},
         {"registration", {0, 1}},
         {"lookup", {0, 1}},

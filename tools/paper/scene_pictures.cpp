@@ -1,0 +1,134 @@
+#include "tools/paper/scene_pictures.hpp"
+
+#include "tools/io/text_formats.hpp"
+#include "tools/render/cycle_report.hpp"
+#include "tools/render/frame_warnings.hpp"
+#include "tools/scene/checks.hpp"
+#include "tools/scene/scene_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <thread>
+
+namespace umbra78::tools {
+namespace {
+
+constexpr ScenePicture table[] = {
+    {.name = "fig7a", .shows = "a smile", .scene = "smile.toml", .set = "density=0",
+     .figure = true},
+    {.name = "fig7b", .shows = "the shadow of a smile", .scene = "smile.toml", .figure = true},
+    {.name = "fig8", .shows = "a robot and its shadow", .scene = "robot.toml", .figure = true},
+    {.name = "lamp", .shows = "a lamp over a table", .scene = "lamp.toml"},
+};
+
+// The observer's view is drawn once more by itself, for its time is that of a frame without shadow.
+void measure(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
+    const shadow::FrameLedger ledger = job.ledger();
+    const StageTimes& t = job.times();
+    made.clock_ns = scene.settings.timing.clock_ns;
+    made.cost = {ledger.total(true), of_figure(ledger, 1).total(true), t.total_ms(),
+                 t.matrices_ms + t.observer_ms};
+}
+
+void compare(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
+    const std::optional<SceneTruth> truth = trace(scene);
+    if (!truth) return;
+    const std::vector<std::uint8_t> visible = job.visible();
+    const Buffer depths = job.buffer(Plane::observer_z);
+    made.error = report(*truth, {job.bytes(Plane::filtered), visible},
+                        widened(light_texel_band(*truth), *truth, scene.settings), &depths);
+}
+
+DrawnScene draw(const ScenePicture& of, const std::string& folder) {
+    DrawnScene made;
+    made.of = &of;
+    if (!of.needs.empty() && !std::filesystem::exists(of.needs)) {
+        made.left_out = fmt::format("{} is not here", of.needs);
+        return made;
+    }
+    std::vector<std::string> set;
+    if (!of.set.empty()) set.emplace_back(of.set);
+    const LoadedScene scene = load_scene(fmt::format("{}/{}", folder, of.scene), set);
+    RenderJob job(scene.view(), scene.settings);
+    job.render();
+    const Buffer picture = job.buffer(Plane::picture);
+    const std::span<const std::uint8_t> bytes = job.bytes(Plane::picture);
+    made.size_px = picture.size_px;
+    made.patches = scene.patches.size();
+    made.triangles = scene.facets.size();
+    made.picture.assign(bytes.begin(), bytes.end());
+    made.hash = hash_of(picture);
+    measure(scene, job, made);
+    compare(scene, job, made);
+    made.warnings = lines_of(frame_warnings(scene, job, made.error));
+    return made;
+}
+
+}  // namespace
+
+std::span<const ScenePicture> scene_pictures() { return table; }
+
+std::vector<DrawnScene> draw_scene_pictures(const std::string& folder) {
+    std::vector<DrawnScene> drawn(std::size(table));
+    std::vector<std::exception_ptr> errors(drawn.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t k = next++; k < drawn.size(); k = next++) try {
+                drawn[k] = draw(table[k], folder);
+            } catch (...) {
+                errors[k] = std::current_exception();
+            }
+    };
+    std::vector<std::jthread> threads;
+    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) threads.emplace_back(work);
+    work();
+    threads.clear();  // waits for them
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+    return drawn;
+}
+
+std::string cost_table(std::span<const DrawnScene> drawn) {
+    std::vector<std::vector<std::string>> rows{{"picture", "patches", "triangles",
+                                                "machine ms without", "with", "times",
+                                                "host ms without", "with", "times"}};
+    for (const DrawnScene& d : drawn) {
+        if (!d.left_out.empty()) continue;
+        const auto ms = [&](std::uint64_t cycles) {
+            return fmt::format("{:.1f}", simulated_ms(cycles, d.clock_ns));
+        };
+        rows.push_back({std::string(d.of->name), fmt::format("{}", d.patches),
+                        fmt::format("{}", d.triangles), ms(d.cost.cycles_without),
+                        ms(d.cost.cycles), fmt::format("{:.2f}", d.cost.times_cycles()),
+                        fmt::format("{:.1f}", d.cost.host_ms_without),
+                        fmt::format("{:.1f}", d.cost.host_ms),
+                        fmt::format("{:.2f}", d.cost.times_host())});
+    }
+    return markdown_table(rows);
+}
+
+nlohmann::ordered_json to_json(const DrawnScene& d) {
+    nlohmann::ordered_json json{{"picture", d.of->name}, {"shows", d.of->shows},
+                                {"scene", d.of->scene}};
+    if (!d.left_out.empty()) {
+        json["left_out"] = d.left_out;
+        return json;
+    }
+    json["patches"] = d.patches;
+    json["triangles"] = d.triangles;
+    json["hash"] = d.hash;
+    json["machine_cycles"] = d.cost.cycles;
+    json["machine_cycles_without_shadow"] = d.cost.cycles_without;
+    json["host_ms"] = d.cost.host_ms;
+    json["host_ms_without_shadow"] = d.cost.host_ms_without;
+    json["error"] = to_json(d.error);
+    json["warnings"] = d.warnings;
+    return json;
+}
+
+}  // namespace umbra78::tools

@@ -1,0 +1,64 @@
+// Figures 7 and 8 and the gallery: scene files drawn as they are, with error and cost.
+//
+// The paper's figures 7 and 8 show a smile and a robot whose models are lost; these are this
+// project's own. The gallery shows the other surfaces that scenes may have.
+#pragma once
+
+#include "tools/render/report.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbra78::tools {
+
+struct ScenePicture {
+    std::string_view name;   // of its file and its golden
+    std::string_view shows;  // a caption
+    std::string_view scene;  // a file of tools/scenes
+    std::string_view set{};  // one override, or none
+    bool figure = false;     // one of the paper's; else of the gallery
+    std::string_view needs{};  // a file that a package brings, without which it is left out
+};
+
+std::span<const ScenePicture> scene_pictures();
+
+// What one light's shadow costs: the frame without it is the observer's view alone.
+struct ShadowCost {
+    std::uint64_t cycles = 0, cycles_without = 0;
+    double host_ms = 0, host_ms_without = 0;
+
+    double times_cycles() const {
+        return static_cast<double>(cycles) / static_cast<double>(cycles_without);
+    }
+    double times_host() const { return host_ms / host_ms_without; }
+};
+
+struct DrawnScene {
+    const ScenePicture* of = nullptr;
+    std::string left_out;  // why, in a line; then there is nothing else
+    std::size_t patches = 0, triangles = 0;
+    int size_px = 0, clock_ns = 0;
+    std::vector<std::uint8_t> picture;
+    std::string hash;  // of the picture
+    ShadowCost cost;
+    std::optional<ShadowReport> error;
+    std::vector<std::string> warnings;
+
+    Buffer buffer() const {
+        return {std::string(of->name), size_px, 255, std::span<const std::uint8_t>(picture)};
+    }
+};
+
+// Draws them all from the scene files in `folder`, several at a time, in the table's order.
+std::vector<DrawnScene> draw_scene_pictures(const std::string& folder);
+
+// Cost of the shadow, scene by scene: a Markdown table.
+std::string cost_table(std::span<const DrawnScene>);
+
+nlohmann::ordered_json to_json(const DrawnScene&);
+
+}  // namespace umbra78::tools
