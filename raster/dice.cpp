@@ -59,17 +59,13 @@ struct Weights {
           slope{(k - i) * (k - i), 2 * i * (k - i), i * i} {}
 };
 
-// Sums over the net of weights in u and v: of its points, of its differences in u, and in v.
+// Points, or differences of points, summed with their weights.
 template <class Weight>
 WideVector sum(const std::array<WideVector, 4>& p, const Weight& w) {
     WideVector s{};
     for (std::size_t a = 0; a < w.size(); ++a)
         for (std::size_t c = 0; c < 3; ++c) s[c] += w[a] * p[a][c];
     return s;
-}
-
-std::array<WideVector, 4> row(const Controls& p, std::size_t at, std::size_t step) {
-    return {p[at], p[at + step], p[at + 2 * step], p[at + 3 * step]};
 }
 
 std::array<WideVector, 4> differences(const std::array<WideVector, 4>& p) {
@@ -79,33 +75,33 @@ std::array<WideVector, 4> differences(const std::array<WideVector, 4>& p) {
     return d;
 }
 
-WideVector point(const Controls& p, const Weights& u, const Weights& v) {
-    std::array<WideVector, 4> rows;
-    for (std::size_t b = 0; b < 4; ++b) rows[b] = sum(row(p, 4 * b, 1), u.at);
-    return sum(rows, v.at);
-}
+// The net summed along u at number i of k: four points of a curve in v, and of the tangents in u.
+struct Column {
+    std::array<WideVector, 4> points, along_u;
 
-WideVector tangent_u(const Controls& p, const Weights& u, const Weights& v) {
-    std::array<WideVector, 4> rows;
-    for (std::size_t b = 0; b < 4; ++b) rows[b] = sum(differences(row(p, 4 * b, 1)), u.slope);
-    return sum(rows, v.at);
-}
-
-WideVector tangent_v(const Controls& p, const Weights& u, const Weights& v) {
-    std::array<WideVector, 4> columns;
-    for (std::size_t a = 0; a < 4; ++a) columns[a] = sum(differences(row(p, a, 4)), v.slope);
-    return sum(columns, u.at);
-}
+    Column(const Controls& p, std::int64_t i, std::int64_t k) {
+        const Weights u(i, k);
+        for (std::size_t b = 0; b < 4; ++b) {
+            const std::array row{p[4 * b], p[4 * b + 1], p[4 * b + 2], p[4 * b + 3]};
+            points[b] = sum(row, u.at);
+            along_u[b] = sum(differences(row), u.slope);
+        }
+    }
+    WideVector point(const Weights& v) const { return sum(points, v.at); }
+    WideVector tangent_u(const Weights& v) const { return sum(along_u, v.at); }
+    WideVector tangent_v(const Weights& v) const { return sum(differences(points), v.slope); }
+};
 
 bool is_zero(const WideVector& v) { return v == WideVector{}; }
 
 // Where an edge is a point its tangent is 0, and that of the next row or column within is taken.
-UnitVector normal(const Controls& p, std::int64_t i, std::int64_t j, std::int64_t k) {
+UnitVector normal(const Controls& p, const Column& column, std::int64_t i, std::int64_t j,
+                  std::int64_t k) {
     const auto inward = [&](std::int64_t n) { return n == 0 ? 1 : k - 1; };
-    const Weights u(i, k), v(j, k);
-    WideVector tu = tangent_u(p, u, v), tv = tangent_v(p, u, v);
-    if (is_zero(tu)) tu = tangent_u(p, u, Weights(inward(j), k));
-    if (is_zero(tv)) tv = tangent_v(p, Weights(inward(i), k), v);
+    const Weights v(j, k);
+    WideVector tu = column.tangent_u(v), tv = column.tangent_v(v);
+    if (is_zero(tu)) tu = column.tangent_u(Weights(inward(j), k));
+    if (is_zero(tv)) tv = Column(p, inward(i), k).tangent_v(v);
     return unit_vector(cross(scaled_to(tu, 30), scaled_to(tv, 30)));
 }
 
@@ -129,16 +125,17 @@ Mesh dice(const Patch& patch, const DiceLevels& levels, bool normals, DiceMemory
     const Controls p = controls_of(patch);
     const auto k = std::uint32_t{1} << levels.patch;
     const std::uint32_t side = k + 1;
-    for (std::uint32_t j = 0; j <= k; ++j) {
-        for (std::uint32_t i = 0; i <= k; ++i) {
-            const WideVector s = point(p, Weights(i, k), Weights(j, k));
-            const auto word = [&](std::int64_t v) {
-                return static_cast<std::int32_t>(
-                    fixed::round_shift(v, 6 * levels.patch, Rounding::half_even));
-            };
+    const auto word = [&](std::int64_t v) {
+        return static_cast<std::int32_t>(
+            fixed::round_shift(v, 6 * levels.patch, Rounding::half_even));
+    };
+    for (std::uint32_t i = 0; i <= k; ++i) {
+        const Column column(p, i, k);
+        for (std::uint32_t j = 0; j <= k; ++j) {
+            const WideVector s = column.point(Weights(j, k));
             const std::uint32_t at = j * side + i;
             memory.vertices[at] = {word(s[0]), word(s[1]), word(s[2])};
-            if (normals) memory.normals[at] = normal(p, i, j, k);
+            if (normals) memory.normals[at] = normal(p, column, i, j, k);
         }
     }
     // A vertex of an edge moves down to the next that its edge keeps.

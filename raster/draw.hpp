@@ -207,13 +207,14 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
 }
 
 template <class SampleSink>
-void draw_facets(const Mesh& mesh, const DrawSetup& setup, const Emitter<SampleSink>& emit) {
+void draw_facets(const Mesh& mesh, const DrawSetup& setup, FacetWalk& walk,
+                 const Emitter<SampleSink>& emit) {
     DrawCounts& counts = emit.counts;
-    FacetWalk walk(setup.spec, setup.matrix, setup.object, setup.work, SampleSink::shades);
+    walk.begin(mesh);
     for (const Facet& facet : mesh.facets) {
         const Material* material = material_of<SampleSink>(facet.material, setup);
         ++counts.facets;
-        const FacetWalk::Outcome outcome = walk.project(mesh, facet);
+        const FacetWalk::Outcome outcome = walk.project(facet);
         if (outcome == FacetWalk::Outcome::unresolved) ++counts.unresolved_facets;
         if (outcome == FacetWalk::Outcome::cut) ++counts.cut_facets;
         if (outcome > FacetWalk::Outcome::cut) continue;
@@ -243,7 +244,8 @@ void draw_facets(const Mesh& mesh, const DrawSetup& setup, const Emitter<SampleS
 
 template <class SampleSink>
 void draw_diced(std::span<const Patch> patches, std::span<const std::uint32_t> order,
-                const DrawSetup& setup, DrawMemory& memory, const Emitter<SampleSink>& emit) {
+                const DrawSetup& setup, DrawMemory& memory, FacetWalk& walk,
+                const Emitter<SampleSink>& emit) {
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
         const DiceLevels levels = dice_levels(patch, setup.dice_levels, setup.dice_tolerance);
@@ -251,7 +253,7 @@ void draw_diced(std::span<const Patch> patches, std::span<const std::uint32_t> o
         ++emit.counts.patches;
         ++emit.counts.diced_patches;
         emit.counts.diced_vertices += mesh.vertices.size();
-        draw_facets(mesh, setup, emit);
+        draw_facets(mesh, setup, walk, emit);
     }
 }
 
@@ -268,13 +270,14 @@ DrawCounts draw(const Surfaces& surfaces, std::span<const std::uint32_t> order,
                    "draw: the order is not one of these patches");
     DrawCounts counts;
     const detail::Emitter<SampleSink> emit{setup, sink, counts};
-    if (setup.form == PatchForm::diced) {
-        detail::draw_diced(surfaces.patches, order, setup, memory, emit);
-    } else {
-        detail::draw_patches(surfaces.patches, order, setup, memory, emit);
+    const bool diced = setup.form == PatchForm::diced;
+    if (!diced) detail::draw_patches(surfaces.patches, order, setup, memory, emit);
+    const std::uint64_t of_patches = counts.samples;
+    if (diced || !surfaces.mesh.facets.empty()) {
+        FacetWalk walk(setup.spec, setup.matrix, setup.object, setup.work, SampleSink::shades);
+        if (diced) detail::draw_diced(surfaces.patches, order, setup, memory, walk, emit);
+        detail::draw_facets(surfaces.mesh, setup, walk, emit);
     }
-    const std::uint64_t of_patches = setup.form == PatchForm::diced ? 0 : counts.samples;
-    if (!surfaces.mesh.facets.empty()) detail::draw_facets(surfaces.mesh, setup, emit);
     counts.facet_samples = counts.samples - of_patches;
     return counts;
 }

@@ -165,29 +165,57 @@ FacetWalk::FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFor
     : spec_(spec), unit_(spec, matrix, object, work), object_(object), shades_(shades),
       band_(guard_band(spec, matrix.affine)) {}
 
-FacetWalk::Outcome FacetWalk::project(const Mesh& mesh, const Facet& facet) {
-    const bool affine = unit_.matrix().affine;
-    polygon_.count = 3;
-    for (std::size_t k = 0; k < 3; ++k) {
-        fixed::require(facet.vertex[k] < mesh.vertices.size(), "facet: no such vertex");
-        const hw::Words words = to_object_words(mesh.vertices[facet.vertex[k]], object_);
-        FacetVertex& v = polygon_.vertex[k];
-        v.screen = affine ? affine_place(unit_, words)
-                          : homogeneous_place(words, unit_.matrix(), spec_, object_);
-        if (!shades_) continue;
-        v.world = {std::int64_t{words.x} * (1 << object_guard),
+void FacetWalk::begin(const Mesh& mesh) {
+    mesh_ = mesh;
+    ++mesh_number_;
+}
+
+const FacetWalk::Seen& FacetWalk::see(std::uint32_t number) {
+    Seen& s = seen_[number % seen_.size()];
+    if (s.number == number && s.mesh == mesh_number_) return s;
+    fixed::require(number < mesh_.vertices.size(), "facet: no such vertex");
+    const hw::Words words = to_object_words(mesh_.vertices[number], object_);
+    s.number = number;
+    s.mesh = mesh_number_;
+    s.screen = unit_.matrix().affine ? affine_place(unit_, words)
+                                     : homogeneous_place(words, unit_.matrix(), spec_, object_);
+    s.outside = outside(s.screen, band_);
+    s.has_corner = s.outside == 0 && to_corner(s.screen, s.corner);
+    if (shades_)
+        s.world = {std::int64_t{words.x} * (1 << object_guard),
                    std::int64_t{words.y} * (1 << object_guard),
                    std::int64_t{words.z} * (1 << object_guard)};
-        facet_[k] = v.world;
-        if (facet.normal[k] == Facet::flat) continue;
-        fixed::require(facet.normal[k] < mesh.normals.size(), "facet: no such normal");
-        v.normal = wide(mesh.normals[facet.normal[k]]);
+    return s;
+}
+
+void FacetWalk::fill(const Facet& facet, std::size_t k, const Seen& seen) {
+    FacetVertex& v = polygon_.vertex[k];
+    v.screen = seen.screen;
+    if (!shades_) return;
+    v.world = facet_[k] = seen.world;
+    if (facet.normal[k] == Facet::flat) return;
+    fixed::require(facet.normal[k] < mesh_.normals.size(), "facet: no such normal");
+    v.normal = wide(mesh_.normals[facet.normal[k]]);
+}
+
+FacetWalk::Outcome FacetWalk::project(const Facet& facet) {
+    std::array<Seen, 3> seen;  // copies: two vertices may want the same place
+    for (std::size_t k = 0; k < 3; ++k) seen[k] = see(facet.vertex[k]);
+    if ((seen[0].outside & seen[1].outside & seen[2].outside) != 0) return Outcome::outside;
+    polygon_.count = 3;
+    for (std::size_t k = 0; k < 3; ++k) fill(facet, k, seen[k]);
+    if ((seen[0].outside | seen[1].outside | seen[2].outside) == 0) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!seen[k].has_corner) return Outcome::unresolved;
+            corner_[k] = seen[k].corner;
+        }
+        return Outcome::ready;
     }
     bool cut = false;
     if (!polygon_.clip(band_, cut)) return Outcome::outside;
     for (std::size_t k = 0; k < polygon_.count; ++k)
         if (!to_corner(polygon_.vertex[k].screen, corner_[k])) return Outcome::unresolved;
-    return cut ? Outcome::cut : Outcome::ready;
+    return Outcome::cut;
 }
 
 // Within the band every quotient fits; only W may have none.

@@ -10,8 +10,8 @@
 //
 // A facet is shaded at the pixel's centre, by its corners' normals weighted by nearness (Phong
 // 1975), or by its own normal if it is flat. Which side is seen is the facet's own side.
-// Not emulated: vertices that facets share are transformed for each facet anew, as by a machine
-// that keeps none.
+// The machine keeps no vertices: those that facets share are transformed for each facet anew, and
+// are costed so. The host keeps the last ones, which changes no bit.
 #pragma once
 
 #include "raster/footprint.hpp"
@@ -83,8 +83,11 @@ public:
     FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,
               hw::UnitWork work, bool shades);
 
+    // Before the facets of another mesh.
+    void begin(const Mesh& mesh);
+
     enum class Outcome : std::uint8_t { ready, cut, outside, unresolved };
-    Outcome project(const Mesh& mesh, const Facet& facet);
+    Outcome project(const Facet& facet);
 
     // Of the facet that was projected last, if it is ready or cut:
     bool footprint(Footprint& out) const;  // false if it lies outside the cube
@@ -93,6 +96,17 @@ public:
     const std::array<WideVector, 3>& facet() const { return facet_; }
 
 private:
+    // A vertex in the view, as far as it does not depend on its facet.
+    struct Seen {
+        std::uint32_t number, mesh;  // which vertex of which mesh; 0 is none
+        unsigned outside;            // planes of the band
+        bool has_corner;
+        Corner corner;
+        ScreenPlace screen;
+        WideVector world;
+    };
+    const Seen& see(std::uint32_t number);
+    void fill(const Facet& facet, std::size_t k, const Seen& seen);
     bool to_corner(const ScreenPlace& place, Corner& out) const;
 
     MachineSpec spec_;
@@ -103,6 +117,10 @@ private:
     FacetPolygon polygon_;
     std::array<Corner, 9> corner_{};
     std::array<WideVector, 3> facet_{};
+    Mesh mesh_;
+    // The host keeps what it has transformed last: neighbouring facets share vertices.
+    std::array<Seen, 64> seen_{};
+    std::uint32_t mesh_number_ = 0;
 };
 
 }  // namespace umbra78::raster

@@ -20,17 +20,17 @@ bool seen(const raster::Patch& patch, const FrameInputs& in, const hw::MatrixWor
 class FacetView {
 public:
     FacetView(const FrameInputs& in, const hw::MatrixWords& matrix)
-        : mesh_(in.scene.mesh),
-          walk_(in.settings.machine, matrix, in.matrices.object, hw::UnitWork{}, false) {}
+        : walk_(in.settings.machine, matrix, in.matrices.object, hw::UnitWork{}, false) {
+        walk_.begin(in.scene.mesh);
+    }
 
     bool seen(const raster::Facet& facet, Footprint& footprint) {
         using enum raster::FacetWalk::Outcome;
-        const auto outcome = walk_.project(mesh_, facet);
+        const auto outcome = walk_.project(facet);
         return (outcome == ready || outcome == cut) && walk_.footprint(footprint);
     }
 
 private:
-    const raster::Mesh& mesh_;
     raster::FacetWalk walk_;
 };
 
