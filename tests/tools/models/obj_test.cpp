@@ -158,26 +158,23 @@ TEST(ObjErrors, Statements) {
          "a.obj:5: 'triangle' begins no statement of OBJ; remove the line, or begin it with #"},
         {"a.obj", std::string("\0v\0 1", 5),
          "a.obj:1: '?v?' begins no statement of OBJ; remove the line, or begin it with #"},
-        {"a.obj", square + "cstype rat bezier\n",
-         "a.obj:5: 'cstype' makes a curve or a curved surface; give patches as .bpt, .bez or "
-         ".tea"},
     });
 }
 
 TEST(ObjErrors, Faces) {
-    const std::string no_corner = "' is no corner of a face; write v, v/t, v//n or v/t/n, numbers "
-                                  "from 1, or from -1 back";
+    const std::string no_corner = "' is no corner; write v, v/t, v//n or v/t/n, numbers from 1, or "
+                                  "from -1 back";
     expect_messages({
         {"a.obj", square + "f 1 2\n", "a.obj:5: a face has 2 corners; give 3 .. 1024"},
         {"a.obj", square + "f\n", "a.obj:5: a face has 0 corners; give 3 .. 1024"},
-        {"a.obj", square + "f 1 2 5\n", "a.obj:5: a face names vertex 5; there are 4: correct the "
-                                        "number"},
+        {"a.obj", square + "f 1 2 5\n",
+         "a.obj:5: vertex 5 is named; there are 4: correct the number"},
         {"a.obj", square + "f 1 2 \\\n-5\n",
          "a.obj:6: '-5' goes back beyond the first; only 4 stand before it"},
         {"a.obj", square + "f 1 2 99999999999\n",
-         "a.obj:5: a face names vertex 99999999999; there are 4: correct the number"},
+         "a.obj:5: vertex 99999999999 is named; there are 4: correct the number"},
         {"a.obj", square + "vn 0 0 1\nf 1//1 2//1 3//2\n",
-         "a.obj:6: a face names normal 2; there are 1: correct the number"},
+         "a.obj:6: normal 2 is named; there are 1: correct the number"},
         {"a.obj", square + "vn 0 0 1\nf 1//1 2//1 3//-2\n",
          "a.obj:6: '3//-2' goes back beyond the first; only 1 stand before it"},
         {"a.obj", square + "f 1 2 0\n", "a.obj:5: '0" + no_corner},
