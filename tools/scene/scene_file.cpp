@@ -51,18 +51,21 @@ void throw_if_any(const FirstError& error) {
 }  // namespace
 
 LoadedScene parse_scene(std::string_view text, const std::string& name,
-                        std::span<const std::string> overrides) {
-    return scene_or_throw(read_scene(text, name, overrides));
+                        std::span<const std::string> overrides, const FileSource& files) {
+    return scene_or_throw(read_scene(text, name, overrides, files));
 }
 
 LoadedScene load_scene(const std::string& path, std::span<const std::string> overrides) {
     const FileText file = read_text_file(path, "a scene file");
     if (!file.error.empty()) throw SceneError(file.error);
+    return parse_scene(file.text, path, overrides, files_beside(path));
+}
+
+FileSource files_beside(const std::string& path) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    const FileSource models = [&](const std::string& named) {
+    return [folder](const std::string& named) {
         return read_text_file((folder / named).string(), "a model, from the scene's folder");
     };
-    return scene_or_throw(read_scene(file.text, path, overrides, models));
 }
 
 TomlNode parse_override(const std::string& key_and_value) {

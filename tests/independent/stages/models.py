@@ -39,6 +39,42 @@ def facet_normal(a, b, c):
     return cross([q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)])
 
 
+def triangles(points):
+    """A polygon as triples of its corners' numbers."""
+    n = len(points)
+    normal = [0, 0, 0]
+    for k in range(n):
+        p, q = points[k], points[(k + 1) % n]
+        for axis in range(3):
+            u, v = (axis + 1) % 3, (axis + 2) % 3
+            normal[axis] += (p[u] - q[u]) * (p[v] + q[v])
+    axis = max(range(3), key=lambda a: abs(normal[a]))
+    u, v = (axis + 1) % 3, (axis + 2) % 3
+    if normal[axis] < 0:
+        u, v = v, u
+    flat = [(p[u], p[v]) for p in points]
+    left, present, found = list(range(n)), 0, []
+    while len(left) >= 3:
+        def around(k):
+            return [left[(k + d) % len(left)] for d in (-1, 0, 1)]
+
+        def ear(k):
+            a, b, c = (flat[m] for m in around(k))
+            return turn(a, b, c) > 0 and not any(
+                turn(a, b, p) >= 0 and turn(b, c, p) >= 0 and turn(c, a, p) >= 0
+                for p in (flat[m] for m in left) if p not in (a, b, c))
+        order = [(present + k) % len(left) for k in range(len(left))]
+        cut = next((k for k in order if ear(k)), present)
+        found.append(around(cut))
+        del left[cut]
+        present = cut % len(left)
+    return found
+
+
+def turn(a, b, c):
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
 def line_profile(r0, h0, r1, h1):
     return [tuple(half_even((a * (3 - j) + b * j) << 30, 3) for a, b in ((r0, r1), (h0, h1)))
             for j in range(4)]
@@ -75,6 +111,9 @@ def examples():
            placing.world([scale * c for c in facet[0]], 80))
     yield ("normal at the facet of it, (0, 0, 0), (0.1, 0, 0)",
            placing.normal(facet_normal(*facet)))
+    star = [(0, 0, 0), (0, 9, 1), (0, 4, 4), (0, 5, 9), (0, 3, 5), (0, 0, 6), (0, 2, 3)]
+    yield ("triangles of " + ", ".join(str(p) for p in star),
+           [number for triangle in triangles(star) for number in triangle])
     yield ("torus r = 2, t = 1/2, patch 8 x 1 + 3, point (1, 2)",
            revolved(placing, tube_profile(2 * ONE, ONE // 2, 1), 3)[4 * 2 + 1])
     yield ("cone r = 1, top = 1/4, h = 2, patch 5, point (2, 1)",

@@ -2,12 +2,14 @@
 #include "raster/solids.hpp"
 #include "tests/support/machine_text.hpp"
 #include "tools/models/place_model.hpp"
+#include "tools/models/polygon.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 
 namespace umbra78::tools::test {
 namespace {
@@ -42,6 +44,19 @@ TEST(MachineExamples, AModelsPoint) {
               words(placed.vertices[0]));
     EXPECT_EQ(published("normal at the facet of it, (0, 0, 0), (0.1, 0, 0)"),
               fmt::format("{}", fmt::join(placed.normals[0], " ")));
+}
+
+TEST(MachineExamples, TrianglesOfAPolygon) {
+    std::vector<ModelPoint> star;
+    std::string what = "triangles of";
+    for (const auto& [y, z] : {std::pair{0, 0}, {9, 1}, {4, 4}, {5, 9}, {3, 5}, {0, 6}, {2, 3}}) {
+        what += fmt::format("{} (0, {}, {})", star.empty() ? "" : ",", y, z);
+        star.push_back({.word = {0, y, z}});
+    }
+    std::string numbers;
+    for (const auto& triangle : triangulate(star))
+        numbers += fmt::format(" {}", fmt::join(triangle, " "));
+    EXPECT_EQ(" " + published(what), numbers);
 }
 
 TEST(MachineExamples, Solids) {
