@@ -40,6 +40,12 @@ constexpr Word128 multiply_wide(std::uint64_t a, std::uint64_t b) {
 #endif
 }
 
+// Modulo 2^128.
+constexpr Word128 add_wide(Word128 a, Word128 b) {
+    const std::uint64_t low = a.low + b.low;
+    return {a.high + b.high + (low < a.low ? 1 : 0), low};
+}
+
 struct QuotientRemainder {
     std::uint64_t quotient, remainder;
 };

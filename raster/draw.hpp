@@ -1,15 +1,17 @@
-// Drawing: patches to samples, by blocks of 16 x 16 leaves (Catmull's subdivision, 1974).
+// Drawing: surfaces to samples. Patches become blocks of 16 x 16 leaves (Catmull's subdivision,
+// 1974), facets triangles (facet.hpp, triangle.hpp).
 //
 //   control points --transform unit--> components of a block --split by block_action-->
 //   17 x 17 corners --sampling--> samples with their Z code, handed to a sink
 //
-// In: patches in world words, a view's loaded matrix, materials and light. Out: calls of the sink,
+// In: surfaces in world words, a view's loaded matrix, materials and light. Out: calls of the sink,
 // and counts. A block that is too large after all its splits is dropped, counted as `unresolved`.
 // A block whose nearest point is hidden in its whole footprint cannot change the frame and is left
 // out. No allocation: the caller hands in one DrawMemory.
 // Not emulated: the clock (drawing_cost.hpp makes operations of the counts).
 #pragma once
 
+#include "raster/facet.hpp"
 #include "raster/footprint.hpp"
 #include "raster/leaf_centres.hpp"
 #include "raster/projection.hpp"
@@ -28,13 +30,15 @@ namespace umbra78::raster {
 // What is done with samples.
 //   shades        a constant: whether sample() is given the block's shading, or nullptr
 //   hidden(f)     whether every sample with this footprint would change nothing
-//   sample(...)   one sample, its Z code and its block's shading
+//   sample(...)   one sample, its Z code and the shading of its block or facet
 template <class T>
 concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
-                        const Sample& sample, std::uint32_t code, const BlockShading* shading) {
+                        const Sample& sample, std::uint32_t code, const BlockShading* shading,
+                        const FacetShading* of_facet) {
     typename std::bool_constant<T::shades>;
     { unchanged.hidden(footprint) } -> std::same_as<bool>;
     { sink.sample(sample, code, shading) } -> std::same_as<void>;
+    { sink.sample(sample, code, of_facet) } -> std::same_as<void>;
 };
 
 // Rounds the view's exact matrix to the unit's words. An affine matrix is refused, too, where a
@@ -45,11 +49,16 @@ hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat o
 struct DrawCounts {
     std::uint64_t patches = 0, blocks = 0;
     std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
+    std::uint64_t facet_samples = 0;  // those of facets among them
     std::uint64_t hidden_blocks = 0;  // left out behind what was drawn before
     std::uint64_t unresolved = 0;     // dropped: no level or split left, or no quotient
     std::uint64_t tested_blocks = 0;  // whose action was decided
     std::uint64_t splits = 0;
     std::uint64_t tested_centres = 0;  // pixel centres in a leaf's window
+    std::uint64_t facets = 0, cut_facets = 0;  // of the mesh; those cut to the guard band
+    std::uint64_t triangles = 0;               // that may cover a centre
+    std::uint64_t triangle_lines = 0;          // scan lines in their boxes
+    std::uint64_t unresolved_facets = 0;       // dropped: a corner has no quotient
 };
 
 struct DrawSetup {
@@ -115,39 +124,56 @@ private:
 
 }  // namespace detail
 
-// Draws patches[order[0]], patches[order[1]], ..., or all in turn if `order` is empty. The sink
-// sees every sample of every block that is not hidden. Traps where `order` is of another length, or
-// where a patch names a material that is not there and the sink shades.
-template <Sink SampleSink>
-DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> order,
-                const DrawSetup& setup, DrawMemory& memory, SampleSink& sink) {
-    fixed::require(order.empty() || order.size() == patches.size(),
-                   "draw: the order is not one of these patches");
-    DrawCounts counts;
-    detail::BlockWalk walk(setup, memory, SampleSink::shades, counts);
-    const auto emit = [&](const Sample& s, const BlockShading* shading) {
+namespace detail {
+
+// Hands what a drawing samples to its sink, with its Z code, and counts it.
+template <class SampleSink>
+struct Emitter {
+    const DrawSetup& setup;
+    SampleSink& sink;
+    DrawCounts& counts;
+
+    template <class Shading>
+    void operator()(const Sample& s, const Shading* shading) const {
         std::uint32_t code = 0;
         if (!depth_code(s.z, setup.spec, code)) return;
         ++counts.samples;
         sink.sample(s, code, shading);
-    };
-    const auto sample = [&](const BlockShading* shading) {
-        const auto each = [&](const Sample& s) { emit(s, shading); };
-        if (setup.sampling == Sampling::centre) {
-            counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
-        } else {
-            sample_leaves(memory.corners, setup.spec, each);
-        }
-    };
+    }
+};
+
+template <class SampleSink>
+const Material* material_of(std::uint16_t material, const DrawSetup& setup) {
+    if (!SampleSink::shades) return nullptr;
+    fixed::require(material < setup.materials.size(),
+                   "draw: a surface names a material that is not there");
+    return &setup.materials[material];
+}
+
+template <class SampleSink>
+void sample_block(const DrawSetup& setup, const DrawMemory& memory, const BlockShading* shading,
+                  const Emitter<SampleSink>& emit) {
+    const auto each = [&](const Sample& s) { emit(s, shading); };
+    if (setup.sampling == Sampling::centre) {
+        emit.counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
+    } else {
+        sample_leaves(memory.corners, setup.spec, each);
+    }
+}
+
+template <class SampleSink>
+void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t> order,
+                  const DrawSetup& setup, DrawMemory& memory, const Emitter<SampleSink>& emit) {
+    DrawCounts& counts = emit.counts;
+    BlockWalk walk(setup, memory, SampleSink::shades, counts);
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
-        fixed::require(!SampleSink::shades || patch.material < setup.materials.size(),
-                       "draw: a patch names a material that is not there");
+        const Material* material = material_of<SampleSink>(patch.material, setup);
         ++counts.patches;
         walk.push_patch(patch);
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            if (sink.hidden(footprint(bounds, setup.spec))) {
+            if (emit.sink.hidden(footprint(bounds, setup.spec))) {
                 ++counts.hidden_blocks;
                 continue;
             }
@@ -157,14 +183,63 @@ DrawCounts draw(std::span<const Patch> patches, std::span<const std::uint32_t> o
             }
             ++counts.blocks;
             if constexpr (SampleSink::shades) {
-                const BlockShading shading(walk.block().world, setup.shading,
-                                           setup.materials[patch.material]);
-                sample(&shading);
+                const BlockShading shading(walk.block().world, setup.shading, *material);
+                sample_block(setup, memory, &shading, emit);
             } else {
-                sample(nullptr);
+                sample_block(setup, memory, nullptr, emit);
             }
         }
     }
+}
+
+template <class SampleSink>
+void draw_facets(const Mesh& mesh, const DrawSetup& setup, const Emitter<SampleSink>& emit) {
+    DrawCounts& counts = emit.counts;
+    FacetWalk walk(setup.spec, setup.matrix, setup.object, setup.work, SampleSink::shades);
+    for (const Facet& facet : mesh.facets) {
+        const Material* material = material_of<SampleSink>(facet.material, setup);
+        ++counts.facets;
+        const FacetWalk::Outcome outcome = walk.project(mesh, facet);
+        if (outcome == FacetWalk::Outcome::unresolved) ++counts.unresolved_facets;
+        if (outcome == FacetWalk::Outcome::cut) ++counts.cut_facets;
+        if (outcome > FacetWalk::Outcome::cut) continue;
+        for (std::size_t k = 0; k < walk.triangles(); ++k) {
+            const FacetTriangle triangle = walk.triangle(k);
+            const auto& [a, b, c] = triangle.screen;
+            std::uint64_t lines = 0;
+            if constexpr (SampleSink::shades) {
+                const FacetShading shading(triangle, walk.facet(), facet.normal[0] == Facet::flat,
+                                           setup.shading, *material);
+                lines = sample_triangle(a, b, c, setup.spec,
+                                        [&](const Sample& s) { emit(s, &shading); });
+            } else {
+                const FacetShading* const none = nullptr;
+                lines = sample_triangle(a, b, c, setup.spec,
+                                        [&](const Sample& s) { emit(s, none); });
+            }
+            counts.triangles += lines > 0 ? 1 : 0;
+            counts.triangle_lines += lines;
+        }
+    }
+}
+
+}  // namespace detail
+
+// Draws the patches, patches[order[0]], patches[order[1]], ..., or all in turn if `order` is empty,
+// and then the mesh. The sink sees every sample of every block that is not hidden and of every
+// facet. Traps where `order` is of another length, or where a surface names a material that is not
+// there and the sink shades, or a vertex or normal that is not there.
+template <Sink SampleSink>
+DrawCounts draw(const Surfaces& surfaces, std::span<const std::uint32_t> order,
+                const DrawSetup& setup, DrawMemory& memory, SampleSink& sink) {
+    fixed::require(order.empty() || order.size() == surfaces.patches.size(),
+                   "draw: the order is not one of these patches");
+    DrawCounts counts;
+    const detail::Emitter<SampleSink> emit{setup, sink, counts};
+    detail::draw_patches(surfaces.patches, order, setup, memory, emit);
+    const std::uint64_t of_patches = counts.samples;
+    if (!surfaces.mesh.facets.empty()) detail::draw_facets(surfaces.mesh, setup, emit);
+    counts.facet_samples = counts.samples - of_patches;
     return counts;
 }
 

@@ -1,7 +1,8 @@
 // What drawing a view costs, in operations: the counts of a drawing times what each thing costs.
 //
 // The constants count the additions, products and quotients in the formulas of hw/MACHINE.md,
-// sections 6, 7, 9 and 14, component by component; the table there (section 16) is this one.
+// sections 6, 7, 9, 14 and 21, component by component; the tables there (sections 16 and 21) are
+// these.
 #pragma once
 
 #include "hw/operations.hpp"
@@ -38,6 +39,16 @@ constexpr Operations shaded_sample(int shininess) {
 }
 inline constexpr std::uint64_t divided_corner_bits = 31;  // X, Y and Z of each corner
 
+// A triangle begins: three edges' crossings and steps, the area, Z and its steps in X and Y.
+inline constexpr Operations triangle_setup{36, 18, 72, 9, 9 * 31, 0};
+// Three crossings and Z step down (two additions each), four compares make the span.
+inline constexpr Operations triangle_line{12};
+inline constexpr Operations triangle_sample{4, 0, 0, 0, 0, 2};  // Z steps; the code; the compare
+// Two sides of the facet, their product and its length.
+inline constexpr Operations facet_normal{12, 6, 24, 4, 30 + 3 * 15, 0};
+inline constexpr Operations corner_weights{0, 6, 24, 2, 2 * 11, 0};  // of a shaded sample
+inline constexpr std::uint64_t facet_quotients = 9;  // in perspective: X, Y and Z of 3 corners
+
 }  // namespace cost
 
 // The operations of a drawing with these counts, in which nothing was left out as hidden.
@@ -50,26 +61,31 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
     const std::uint64_t screen = affine ? 3 : 4, components = screen + (shades ? 3 : 0);
     const auto transform = static_cast<std::uint64_t>(
         hw::transform_cycles(spec, affine) * spec.multipliers);  // an idle multiplier counts
-    Operations o{.products = 16 * counts.patches * (affine ? 9u : 16u),
-                 .passes = 16 * counts.patches * transform};
+    const std::uint64_t points = 16 * counts.patches + 3 * counts.facets;
+    Operations o{.products = points * (affine ? 9u : 16u), .passes = points * transform};
     o.adds += components * (counts.patches * cost::corners_from_control +
                             counts.splits * cost::split);
     o.adds += screen * (counts.tested_blocks * cost::bounds_and_action +
                         counts.blocks * cost::leaf_corners);
     if (!affine) {
-        const std::uint64_t quotients = 3 * corners_a_block * counts.blocks;
+        const std::uint64_t quotients =
+            3 * corners_a_block * counts.blocks + cost::facet_quotients * counts.facets;
         o += Operations{.quotients = quotients,
                         .quotient_bits = quotients * cost::divided_corner_bits};
     }
     const std::uint64_t leaves_drawn = leaves_a_block * counts.blocks;
+    const std::uint64_t of_patches = counts.samples - counts.facet_samples;
     if (sampling == Sampling::centre) {
         o += leaves_drawn * cost::leaf_window + counts.tested_centres * cost::tested_centre +
-             counts.samples * cost::centre_sample;
+             of_patches * cost::centre_sample;
     } else {
-        o += leaves_drawn * cost::leaf_mean + counts.samples * cost::leaf_sample;
+        o += leaves_drawn * cost::leaf_mean + of_patches * cost::leaf_sample;
     }
+    o += counts.triangles * cost::triangle_setup + counts.triangle_lines * cost::triangle_line +
+         counts.facet_samples * cost::triangle_sample;
     if (shades)
-        o += 4 * counts.blocks * cost::corner_normal +
+        o += 4 * counts.blocks * cost::corner_normal + counts.facets * cost::facet_normal +
+             counts.facet_samples * cost::corner_weights +
              counts.samples * cost::shaded_sample(shininess);
     return o;
 }

@@ -28,6 +28,16 @@ Component component(const ObjectWords& p, Transform&& transform) {
     return component_from_bezier(control);
 }
 
+// A row's accumulator at the matrix's common exponent, brought to 44 bits.
+std::int64_t homogeneous_row(const hw::Words& v, hw::Row r, const MatrixWords& m,
+                             const MachineSpec& spec, WordFormat format) {
+    const int common = *std::max_element(m.exponent.begin(), m.exponent.end());
+    const int up = homogeneous_bits - (format.bits + spec.coefficient_bits + 2);
+    return fixed::scale_shift(hw::accumulate(m, r, v, format.one_word()),
+                              common - m.exponent[static_cast<std::size_t>(r)] - up,
+                              spec.transform_rounding);
+}
+
 // a - c b, corner by corner.
 Component minus_multiple(const Component& a, std::int64_t c, const Component& b) {
     Component r;
@@ -113,12 +123,12 @@ bool beyond_a_side(const std::array<Component, 4>& c, std::int64_t edge_px) {
 
 }  // namespace
 
-WordFormat object_format(std::span<const Patch> patches) {
+WordFormat object_format(const Surfaces& surfaces) {
     std::uint32_t largest = 0;
-    for (const Patch& p : patches)
-        for (const World& c : p.control)
-            for (const std::int32_t v : {c.x, c.y, c.z})
-                largest = std::max(largest, static_cast<std::uint32_t>(fixed::magnitude(v)));
+    surfaces.for_points([&](const World& p) {
+        for (const std::int32_t v : {p.x, p.y, p.z})
+            largest = std::max(largest, static_cast<std::uint32_t>(fixed::magnitude(v)));
+    });
     int fraction = object_bits - 2;
     while (fraction > 0 && !fixed::fits(fixed::round_shift(largest, world_fraction - fraction,
                                                            Rounding::half_up),
@@ -127,16 +137,32 @@ WordFormat object_format(std::span<const Patch> patches) {
     return {object_bits, fraction};
 }
 
-ObjectWords to_object_words(const Patch& patch, WordFormat format) {
-    ObjectWords out{};
+hw::Words to_object_words(const World& place, WordFormat format) {
     const auto word = [&](std::int32_t v) {
         return static_cast<std::int32_t>(
             fixed::scale_shift(v, world_fraction - format.fraction, Rounding::half_up));
     };
-    for (std::size_t k = 0; k < 16; ++k) {
-        const World& p = patch.control[k];
-        out[k] = {word(p.x), word(p.y), word(p.z)};
-    }
+    return {word(place.x), word(place.y), word(place.z)};
+}
+
+ObjectWords to_object_words(const Patch& patch, WordFormat format) {
+    ObjectWords out{};
+    for (std::size_t k = 0; k < 16; ++k) out[k] = to_object_words(patch.control[k], format);
+    return out;
+}
+
+ScreenPlace affine_place(const hw::TransformUnit& unit, const hw::Words& place) {
+    const MachineSpec& spec = unit.spec();
+    return {unit.affine_row(hw::Row::x, place, raster_fraction),
+            unit.affine_row(hw::Row::y, place, raster_fraction),
+            unit.affine_row(hw::Row::z, place, spec.depth_fraction() + depth_guard(spec)), 1};
+}
+
+ScreenPlace homogeneous_place(const hw::Words& place, const MatrixWords& m,
+                              const MachineSpec& spec, WordFormat format) {
+    ScreenPlace out{};
+    for (const hw::Row r : {hw::Row::x, hw::Row::y, hw::Row::z, hw::Row::w})
+        out[static_cast<std::size_t>(r)] = homogeneous_row(place, r, m, spec, format);
     return out;
 }
 
@@ -154,15 +180,9 @@ std::array<Component, 3> affine_components(const ObjectWords& p, const MatrixWor
 
 std::array<Component, 4> homogeneous_components(const ObjectWords& p, const MatrixWords& m,
                                                 const MachineSpec& spec, WordFormat format) {
-    const int common = *std::max_element(m.exponent.begin(), m.exponent.end());
-    const int accumulator_bits = format.bits + spec.coefficient_bits + 2;
-    const int up = homogeneous_bits - accumulator_bits;
     const auto row = [&](hw::Row r) {
-        const int shift = common - m.exponent[static_cast<std::size_t>(r)] - up;
-        return component(p, [&](const hw::Words& v) {
-            return fixed::scale_shift(hw::accumulate(m, r, v, format.one_word()), shift,
-                                      spec.transform_rounding);
-        });
+        return component(
+            p, [&](const hw::Words& v) { return homogeneous_row(v, r, m, spec, format); });
     };
     return {row(hw::Row::x), row(hw::Row::y), row(hw::Row::z), row(hw::Row::w)};
 }

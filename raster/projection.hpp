@@ -31,13 +31,20 @@ using hw::WordFormat;
 inline constexpr int object_bits = 16;
 
 // The format of all object words of a scene: 16 bits and the largest fraction that holds every
-// control point, at most 14, so that one_word is at least 1.0.
-WordFormat object_format(std::span<const Patch> patches);
+// control point and vertex, at most 14, so that one_word is at least 1.0.
+WordFormat object_format(const Surfaces& surfaces);
 
 using ObjectWords = std::array<hw::Words, 16>;
 
-// A patch's control points in object words, rounded half up.
+// A place, and a patch's control points, in object words, rounded half up.
+hw::Words to_object_words(const World& place, WordFormat format);
 ObjectWords to_object_words(const Patch& patch, WordFormat format);
+
+// A place in a view. Affine: X, Y, Z in raster units, and 1. Perspective: X, Y, Z, W of 44 bits.
+using ScreenPlace = std::array<std::int64_t, 4>;
+ScreenPlace affine_place(const hw::TransformUnit& unit, const hw::Words& place);
+ScreenPlace homogeneous_place(const hw::Words& place, const MatrixWords& m,
+                              const MachineSpec& spec, WordFormat format);
 
 // X, Y, Z in raster units.
 std::array<Component, 3> affine_components(const ObjectWords& p, const MatrixWords& m,

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -46,6 +48,32 @@ struct Mesh {
     std::span<const World> vertices;
     std::span<const std::array<std::int32_t, 3>> normals;
     std::span<const Facet> facets;
+};
+
+// What is drawn: patches and a mesh.
+struct Surfaces {
+    std::span<const Patch> patches;
+    Mesh mesh;
+
+    constexpr Surfaces() = default;
+    constexpr Surfaces(std::span<const Patch> of_patches, const Mesh& of_mesh)
+        : patches(of_patches), mesh(of_mesh) {}
+    // From patches alone, in whatever holds them.
+    template <class Range>
+        requires std::convertible_to<const Range&, std::span<const Patch>>
+    constexpr Surfaces(const Range& of_patches) : patches(of_patches) {}
+
+    // Patches and facets.
+    constexpr std::size_t count() const { return patches.size() + mesh.facets.size(); }
+    constexpr bool empty() const { return count() == 0; }
+
+    // Every control point and every vertex of the mesh.
+    template <class Visit>
+    constexpr void for_points(Visit&& visit) const {
+        for (const Patch& patch : patches)
+            for (const World& p : patch.control) visit(p);
+        for (const World& p : mesh.vertices) visit(p);
+    }
 };
 
 struct Sphere {

@@ -127,41 +127,51 @@ BlockShading::BlockShading(const std::array<Component, 3>& world, const ShadingS
     }
 }
 
-UnitVector BlockShading::direction(const Toward& toward, int i, int j) const {
+UnitVector direction(const Toward& toward, const WideVector& place_1024) {
     if (!toward.to_point) return toward.direction;
-    WideVector away = at_leaf(place_, i, j);
-    for (std::size_t k = 0; k < 3; ++k) away[k] = 1024 * toward.point[k] - away[k];
+    WideVector away{};
+    for (std::size_t k = 0; k < 3; ++k) away[k] = 1024 * toward.point[k] - place_1024[k];
     return unit_vector(away);
+}
+
+Cosines cosines(const WideVector& n, const UnitVector& to_light, const UnitVector& to_viewer) {
+    const std::int64_t length =
+        std::max<std::int64_t>(fixed::isqrt(static_cast<std::uint64_t>(dot(n, n))), 1);
+    const WideVector l = wide(to_light), v = wide(to_viewer);
+    const auto cosine = [&](const WideVector& d) {
+        return fixed::round_divide(dot(n, d), length, Rounding::floor);
+    };
+    return {cosine(l), cosine(v), fixed::round_shift(dot(l, v), 14, Rounding::floor)};
+}
+
+Shade shade(const Cosines& c, const ShadingSpec& spec, const Material& material, bool in_shadow) {
+    const std::int64_t ambient = material.diffuse * spec.ambient_q8 * one_q14;  // Q.22
+    std::int64_t direct = 0;
+    if (c.n_dot_l > 0 && !in_shadow) {
+        direct = material.diffuse * (256 - spec.ambient_q8) * c.n_dot_l;
+        std::int64_t highlight =
+            fixed::round_shift(2 * c.n_dot_l * c.n_dot_v, 14, Rounding::floor) - c.l_dot_v;
+        highlight = std::clamp<std::int64_t>(highlight, 0, one_q14);
+        for (int k = 0; k < material.shininess; ++k)
+            highlight = fixed::round_shift(highlight * highlight, 14, Rounding::half_up);
+        direct += material.specular * highlight * 256;
+    }
+    const std::uint8_t intensity = level(ambient + direct);
+    return {intensity, static_cast<std::uint8_t>(intensity - level(ambient))};
+}
+
+UnitVector BlockShading::toward(const Toward& to, int i, int j) const {
+    return to.to_point ? direction(to, at_leaf(place_, i, j)) : to.direction;
 }
 
 Shade BlockShading::shade(int i, int j, bool in_shadow) const {
     const WideVector n = at_leaf(normal_, i, j);  // Q.24
-    const std::int64_t length =
-        std::max<std::int64_t>(fixed::isqrt(static_cast<std::uint64_t>(dot(n, n))), 1);
-    const WideVector l = wide(direction(spec_.light, i, j));
-    const WideVector v = wide(direction(spec_.viewer, i, j));
-    const auto cosine = [&](const WideVector& d) {
-        return fixed::round_divide(dot(n, d), length, Rounding::floor);
-    };
-    std::int64_t nv = cosine(v), nl = cosine(l);
-    if (nv < 0) {
-        nv = -nv;
-        nl = -nl;
+    Cosines c = cosines(n, toward(spec_.light, i, j), toward(spec_.viewer, i, j));
+    if (c.n_dot_v < 0) {
+        c.n_dot_v = -c.n_dot_v;
+        c.n_dot_l = -c.n_dot_l;
     }
-    const bool lit = nl > 0 && !in_shadow;
-    const std::int64_t ambient = material_.diffuse * spec_.ambient_q8 * one_q14;  // Q.22
-    std::int64_t direct = 0;
-    if (lit) {
-        direct = material_.diffuse * (256 - spec_.ambient_q8) * nl;
-        const std::int64_t lv = fixed::round_shift(dot(l, v), 14, Rounding::floor);
-        std::int64_t rv = fixed::round_shift(2 * nl * nv, 14, Rounding::floor) - lv;
-        rv = std::clamp<std::int64_t>(rv, 0, one_q14);
-        for (int k = 0; k < material_.shininess; ++k)
-            rv = fixed::round_shift(rv * rv, 14, Rounding::half_up);
-        direct += material_.specular * rv * 256;
-    }
-    const std::uint8_t intensity = level(ambient + direct);
-    return {intensity, static_cast<std::uint8_t>(intensity - level(ambient))};
+    return raster::shade(c, spec_, material_, in_shadow);
 }
 
 }  // namespace umbra78::raster

@@ -16,6 +16,7 @@
 #pragma once
 
 #include "raster/block.hpp"
+#include "raster/sampling.hpp"
 #include "raster/scene.hpp"
 #include "raster/vector.hpp"
 #include "raster/view.hpp"
@@ -57,6 +58,21 @@ struct Shade {
     constexpr auto operator<=>(const Shade&) const = default;
 };
 
+// Cosines at a sample, Q1.14, floored: of the normal with the directions to the light and to the
+// viewer, and of those with each other.
+struct Cosines {
+    std::int64_t n_dot_l, n_dot_v, l_dot_v;
+};
+
+// A normal of any length and two directions. 0 where the normal has no direction.
+Cosines cosines(const WideVector& normal, const UnitVector& to_light, const UnitVector& to_viewer);
+
+Shade shade(const Cosines& cosines, const ShadingSpec& spec, const Material& material,
+            bool in_shadow);
+
+// From a place, 1024 times as large as `toward` has it.
+UnitVector direction(const Toward& toward, const WideVector& place_1024);
+
 // Normals and places at a block's four corners (2 v + u), ready for its 256 leaves.
 class BlockShading {
 public:
@@ -65,9 +81,12 @@ public:
 
     // Of leaf (i, j), lit or in the shadow of something else.
     Shade shade(int i, int j, bool in_shadow) const;
+    Shade shade(const Sample& s, bool in_shadow) const {
+        return shade(s.leaf_i, s.leaf_j, in_shadow);
+    }
 
 private:
-    UnitVector direction(const Toward& toward, int i, int j) const;
+    UnitVector toward(const Toward& to, int i, int j) const;
 
     const ShadingSpec& spec_;
     const Material& material_;

@@ -33,7 +33,7 @@ struct DepthSink {
     hw::FrameStore<Depth>& store;
 
     bool hidden(const Footprint& f) const { return all_nearer(store, f); }
-    void sample(const Sample& s, std::uint32_t code, const BlockShading*) {
+    void sample(const Sample& s, std::uint32_t code, const void*) {
         Depth& z = store.depth[store.address(s.px, s.py)];
         if (code < z) z = static_cast<Depth>(code);
     }
@@ -50,10 +50,11 @@ public:
     }
 
     bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
-    void sample(const Sample& s, std::uint32_t code, const BlockShading* shading) {
+    template <class Shading>
+    void sample(const Sample& s, std::uint32_t code, const Shading* shading) {
         const std::size_t a = store_.address(s.px, s.py);
         if (code > store_.depth[a]) return;
-        const Shade shade = shading->shade(s.leaf_i, s.leaf_j, false);
+        const Shade shade = shading->shade(s, false);
         if (code == store_.depth[a] && shade >= Shade{store_.intensity[a], store_.direct[a]})
             return;
         store_.depth[a] = static_cast<Depth>(code);

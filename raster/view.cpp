@@ -87,17 +87,15 @@ bool axes_from_points(const World& from, const World& to, ViewAxes& out) {
     return true;
 }
 
-DepthRange depth_range(const View& view, std::span<const Patch> patches) {
+DepthRange depth_range(const View& view, const Surfaces& surfaces) {
     const Rational offset = -dot(exact(view.axes.back), origin(view));
     DepthRange range{INT64_MAX, INT64_MIN};
-    for (const Patch& patch : patches) {
-        for (const World& p : patch.control) {
-            const std::int64_t d = -nearness(view.axes, p);
-            range.min = std::min(range.min, d);
-            range.max = std::max(range.max, d);
-        }
-    }
-    if (patches.empty()) return {0, 0};
+    surfaces.for_points([&](const World& p) {
+        const std::int64_t d = -nearness(view.axes, p);
+        range.min = std::min(range.min, d);
+        range.max = std::max(range.max, d);
+    });
+    if (range.min > range.max) return {0, 0};
     const auto word = [&](std::int64_t q46, Rounding rounding) {
         std::int64_t out = 0;
         (Rational(q46, axis_one * one_q16) - offset).round_scaled(world_fraction, rounding, out);

@@ -60,12 +60,12 @@ struct View {
     std::int64_t far_depth = 0;    // Q.16, > near_depth (> 0 in perspective)
 };
 
-// The min and max depth of the patches' control points in the view, Q.16, rounded outward.
+// The min and max depth of all control points and vertices in the view, Q.16, rounded outward.
 struct DepthRange {
     std::int64_t min, max;
 };
-// {0, 0} without patches.
-DepthRange depth_range(const View& view, std::span<const Patch> patches);
+// {0, 0} without any.
+DepthRange depth_range(const View& view, const Surfaces& surfaces);
 
 // Near and far where the scene file gives none. Orthographic: the cube, +-extent, so that a Z
 // quantum is 2^-depth_fraction pixel; if the scene reaches out of it, the smallest symmetric range

@@ -41,12 +41,12 @@ public:
     // Nothing is left out: the machine transforms every point it generates.
     bool hidden(const raster::Footprint&) const { return false; }
 
-    void sample(const raster::Sample& s, std::uint32_t code,
-                const raster::BlockShading* shading) {
+    template <class Shading>
+    void sample(const raster::Sample& s, std::uint32_t code, const Shading* shading) {
         const std::size_t a = store_.address(s.px, s.py);
         if (code > store_.depth[a]) return;
         const bool shadow = in_shadow(map_, unit_(words(s, code)), noise(s));
-        const raster::Shade shade = shading->shade(s.leaf_i, s.leaf_j, shadow);
+        const raster::Shade shade = shading->shade(s, shadow);
         const std::uint8_t mask = shadow ? mask_shadow : mask_lit;
         if (code == store_.depth[a]) {
             const raster::Shade stored{store_.intensity[a], store_.direct[a]};

@@ -5,7 +5,7 @@
 namespace umbra78::shadow {
 namespace {
 
-constexpr std::uint64_t control_points = 16;
+constexpr std::uint64_t control_points = 16, vertices = 3;
 constexpr std::uint64_t planes_of_a_copy = 2;  // a filter of no passes still reads and writes
 
 std::uint64_t word(int v) { return static_cast<std::uint64_t>(v); }
@@ -26,10 +26,10 @@ StageCycles points(std::uint64_t count, const Settings& s, bool affine, bool div
 StageCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix,
                  const raster::DrawCounts& counts, bool shades, const FramePlan& plan) {
     const Settings& s = drawn.inputs.settings;
-    StageCycles c = points(control_points * counts.patches, s, matrix.affine,
-                           matrix.affine && plan.unit_work().divide, plan);
+    StageCycles c = points(control_points * counts.patches + vertices * counts.facets, s,
+                           matrix.affine, matrix.affine && plan.unit_work().divide, plan);
     hw::Operations o = drawing_operations(drawn.inputs, matrix, counts, shades);
-    const raster::DrawCounts points_alone{.patches = counts.patches};
+    const raster::DrawCounts points_alone{.patches = counts.patches, .facets = counts.facets};
     o.passes -= drawing_operations(drawn.inputs, matrix, points_alone, false).passes;
     c.operations = method_of(drawn.inputs).units(o, s);
     return c;

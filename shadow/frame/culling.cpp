@@ -16,6 +16,24 @@ bool seen(const raster::Patch& patch, const FrameInputs& in, const hw::MatrixWor
                                    footprint) != raster::Visibility::outside;
 }
 
+// The same for the facets of the scene's mesh. One whose corner has no quotient is not drawn.
+class FacetView {
+public:
+    FacetView(const FrameInputs& in, const hw::MatrixWords& matrix)
+        : mesh_(in.scene.mesh),
+          walk_(in.settings.machine, matrix, in.matrices.object, hw::UnitWork{}, false) {}
+
+    bool seen(const raster::Facet& facet, Footprint& footprint) {
+        using enum raster::FacetWalk::Outcome;
+        const auto outcome = walk_.project(mesh_, facet);
+        return (outcome == ready || outcome == cut) && walk_.footprint(footprint);
+    }
+
+private:
+    const raster::Mesh& mesh_;
+    raster::FacetWalk walk_;
+};
+
 // Input words of the unit, both ends inclusive.
 struct WordBox {
     std::array<std::int32_t, 2> x, y, z;
@@ -77,15 +95,23 @@ bool may_reach(const WordBox& box, const FrameInputs& in, const hw::MatrixWords&
 Reach cull(const FrameInputs& in, std::size_t light) {
     const LightMatrices& m = in.matrices.lights[light];
     Reach reach;
-    for (const raster::Patch& patch : in.scene.patches) {
-        Footprint footprint{};
-        if (!seen(patch, in, m.world_to_light, footprint)) ++reach.outside_light;
-        if (!seen(patch, in, in.matrices.world_to_observer, footprint)) {
+    const auto count = [&](bool light_sees, bool observer_sees, const Footprint& footprint) {
+        if (!light_sees) ++reach.outside_light;
+        if (!observer_sees) {
             ++reach.outside_observer;
         } else if (!reach.into_light) {
             reach.into_light = may_reach(word_box(footprint, in.settings), in, m.observer_to_light);
         }
-    }
+    };
+    Footprint of_light{}, of_observer{};
+    for (const raster::Patch& patch : in.scene.patches)
+        count(seen(patch, in, m.world_to_light, of_light),
+              seen(patch, in, in.matrices.world_to_observer, of_observer), of_observer);
+    FacetView light_view(in, m.world_to_light);
+    FacetView observer_view(in, in.matrices.world_to_observer);
+    for (const raster::Facet& facet : in.scene.mesh.facets)
+        count(light_view.seen(facet, of_light), observer_view.seen(facet, of_observer),
+              of_observer);
     return reach;
 }
 

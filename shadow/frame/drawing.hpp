@@ -51,7 +51,8 @@ raster::DrawCounts draw_view(const FrameInputs& in, const FramePlan& plan, const
                              Sink& sink) {
     const std::span order = frame.order.first(in.scene.patches.size());
     raster::order_front_to_back(in.scene.patches, view, order, frame.nearest);
-    return raster::draw(in.scene.patches, order, draw_setup(in, plan, matrix), *frame.draw, sink);
+    return raster::draw(in.scene.surfaces(), order, draw_setup(in, plan, matrix), *frame.draw,
+                        sink);
 }
 
 // What the plain post-process does under a plan.

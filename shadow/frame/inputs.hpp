@@ -27,6 +27,9 @@ struct Scene {
     raster::View observer;
     std::array<raster::View, max_lights> lights;  // a view in perspective: a point light at its eye
     std::size_t light_count = 1;
+    raster::Mesh mesh{};
+
+    raster::Surfaces surfaces() const { return {patches, mesh}; }
 };
 
 enum class FrameStatus : std::uint8_t {

@@ -12,7 +12,7 @@ namespace {
 struct CountingSink {
     static constexpr bool shades = false;
     bool hidden(const raster::Footprint&) const { return false; }
-    void sample(const raster::Sample&, std::uint32_t, const raster::BlockShading*) {}
+    void sample(const raster::Sample&, std::uint32_t, const auto*) {}
 };
 
 PhaseLedger phase(const hw::Operations& o, const FrameInputs& in) {
@@ -25,7 +25,7 @@ PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
     const raster::DrawSetup setup{in.settings.machine,     matrix,
                                   in.matrices.object,      in.settings.sampling,
                                   in.scene.materials, {}};
-    counts = raster::draw(in.scene.patches, {}, setup, memory, sink);
+    counts = raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
     return phase(drawing_operations(in, matrix, counts, shades), in);
 }
 

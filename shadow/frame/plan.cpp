@@ -42,7 +42,7 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     const Reach reach = cull(now, l);
     plan.outside.light[l] = reach.outside_light;
     plan.outside.observer = reach.outside_observer;
-    const std::uint64_t all = now.scene.patches.size();
+    const std::uint64_t all = now.scene.surfaces().count();
     const bool no_map = reach.outside_light == all;
     plan.at(Omission::light_shading, l) = left_out(depth_alone);
     plan.at(Omission::light_map, l) = no_map ? left_out(no_caster) : needed(may_shadow);

@@ -48,8 +48,8 @@ enum class Reason : std::uint8_t {
     nothing_there,        // a background pixel is lit whatever the test says
     dither_off,
     dither_rounds_to_zero,
-    no_caster,            // every patch lies outside the light's view
-    nothing_visible,      // every patch lies outside the observer's view
+    no_caster,            // every surface lies outside the light's view
+    nothing_visible,      // every surface lies outside the observer's view
     outside_light,        // what the observer may see lies outside the light's volume
     nothing_shadowed,     // the mask is all lit: one of the three above
     no_passes,            // the filter is set to 0 passes
@@ -72,8 +72,8 @@ struct Decision {
     Reason reason = Reason::none;
 };
 
-// Patches that lie outside a view, so that the block rule leaves them out whole.
-struct OutsidePatches {
+// Patches and facets that lie outside a view, so that none of their samples is in it.
+struct OutsideSurfaces {
     std::array<std::uint64_t, max_lights> light{};
     std::uint64_t observer = 0;
 };
@@ -81,7 +81,7 @@ struct OutsidePatches {
 struct FramePlan {
     // By omission and light; what is not of a light is decided under light 0.
     std::array<std::array<Decision, max_lights>, omission_count> decisions{};
-    OutsidePatches outside{};
+    OutsideSurfaces outside{};
 
     bool leaves_out(Omission o, std::size_t light = 0) const { return at(o, light).left_out; }
     const Decision& at(Omission o, std::size_t light = 0) const {

@@ -19,6 +19,12 @@ bool same(const raster::Toward& a, const raster::Toward& b) {
     return a.to_point == b.to_point && a.direction == b.direction && a.point == b.point;
 }
 
+bool same_places(const raster::Mesh& a, const raster::Mesh& b) {
+    return std::ranges::equal(a.vertices, b.vertices) &&
+           std::ranges::equal(a.facets, b.facets,
+                              [](const auto& p, const auto& q) { return p.vertex == q.vertex; });
+}
+
 // What both views' Z is drawn from, but for the view's own matrix.
 bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
     const hw::MachineSpec &m = a.settings.machine, &n = b.settings.machine;
@@ -30,15 +36,21 @@ bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
            f.fraction == g.fraction &&
            std::equal(a.scene.patches.begin(), a.scene.patches.end(), b.scene.patches.begin(),
                       b.scene.patches.end(),
-                      [](const auto& p, const auto& q) { return p.control == q.control; });
+                      [](const auto& p, const auto& q) { return p.control == q.control; }) &&
+           same_places(a.scene.mesh, b.scene.mesh);
 }
 
 bool same_surfaces(const FrameInputs& a, const FrameInputs& b) {
     const auto equal = [](const auto& p, const auto& q, auto&& alike) {
         return std::equal(p.begin(), p.end(), q.begin(), q.end(), alike);
     };
-    return equal(a.scene.patches, b.scene.patches,
-                 [](const auto& p, const auto& q) { return p.material == q.material; }) &&
+    const auto alike = [](const auto& p, const auto& q) { return p.material == q.material; };
+    return equal(a.scene.patches, b.scene.patches, alike) &&
+           equal(a.scene.mesh.facets, b.scene.mesh.facets,
+                 [&](const auto& p, const auto& q) {
+                     return alike(p, q) && p.normal == q.normal;
+                 }) &&
+           std::ranges::equal(a.scene.mesh.normals, b.scene.mesh.normals) &&
            equal(a.scene.materials, b.scene.materials,
                  [](const auto& p, const auto& q) { return same(p, q); });
 }

@@ -205,7 +205,7 @@ TEST(BlockRule, APatchWhoseMiddleAloneIsInViewIsDrawn) {
             hw::MachineSpec spec;
             spec.coefficient_bits = 24;
             umbra78::test::Drawing<> stage(spec);
-            const DrawCounts counts = stage.draw({p}, view, Sampling::centre);
+            const DrawCounts counts = stage.draw(umbra78::test::Patches{p}, view, Sampling::centre);
             EXPECT_GT(counts.samples, 10000u) << (upright ? "upright" : "across");
             EXPECT_TRUE(stage.drawn(256, 256));
         }

@@ -35,7 +35,7 @@ bool corrections_fit(const Component& c, const std::array<std::int64_t, 16>& p) 
 // A window of 2^window and a depth of 2^depth quanta of the world, far away. Whether it is held.
 bool held(const MachineSpec& spec, int window, int depth) {
     const Patch patch = crumpled();
-    const WordFormat object = object_format({&patch, 1});
+    const WordFormat object = object_format(std::span(&patch, 1));
     const ObjectWords words = to_object_words(patch, object);
     View view = umbra78::test::orthographic(0, 0, 1);
     view.extent = std::int32_t{1} << window;
@@ -127,7 +127,7 @@ TEST(ObjectWords, HaveTheLargestFractionThatHoldsTheScene) {
             Patch p;
             const auto of = [&](std::int64_t v) {
                 p.control[7].y = static_cast<std::int32_t>(negative ? -v : v);
-                return object_format({&p, 1});
+                return object_format(std::span(&p, 1));
             };
             EXPECT_EQ(of(largest).fraction, fraction) << negative;
             EXPECT_EQ(of(largest).bits, 16);

@@ -111,7 +111,7 @@ TEST(HiddenBlocks, AreNotThoseThatTie) {
                 Drawing<> stage(spec), dark(spec);
                 stage.materials = dark.materials = {{200, 0, 0}, {100, 0, 0}};
                 const DrawCounts both = stage.draw(patches, view, sampling, &light);
-                dark.draw({patches[1]}, view, sampling, &light);
+                dark.draw(Patches{patches[1]}, view, sampling, &light);
                 EXPECT_EQ(both.hidden_blocks, 0u) << "nothing is behind its equal";
                 EXPECT_EQ(dark.depth(), stage.depth());
                 EXPECT_EQ(dark.intensity(), stage.intensity());

@@ -13,11 +13,11 @@ using umbra78::test::Patches;
 struct Plain {
     static constexpr bool shades = false;
     bool hidden(const Footprint&) const { return false; }
-    void sample(const Sample&, std::uint32_t, const BlockShading*) {}
+    void sample(const Sample&, std::uint32_t, const auto*) {}
 };
 struct WithoutShades {
     bool hidden(const Footprint&) const { return false; }
-    void sample(const Sample&, std::uint32_t, const BlockShading*) {}
+    void sample(const Sample&, std::uint32_t, const auto*) {}
 };
 struct ShadesAtRunTime : WithoutShades {
     bool shades = false;
@@ -32,7 +32,7 @@ struct HidesByWindow : Plain {
     bool hidden(int, int, int, int, std::uint32_t) const { return false; }
 };
 struct AnswersSamples : Plain {
-    bool sample(const Sample&, std::uint32_t, const BlockShading*) { return true; }
+    bool sample(const Sample&, std::uint32_t, const auto*) { return true; }
 };
 struct WantsShadingAlways : Plain {
     void sample(const Sample&, std::uint32_t, const BlockShading&) {}
@@ -88,7 +88,7 @@ struct Watcher {
         next = f;
         return false;
     }
-    void sample(const Sample& s, std::uint32_t code, const BlockShading* shading) {
+    void sample(const Sample& s, std::uint32_t code, const auto* shading) {
         ++samples;
         const bool in = s.px >= next.x0 && s.px <= next.x1 && s.py >= next.y0 &&
                         s.py <= next.y1 && code >= next.nearest && code <= next.farthest;
@@ -126,7 +126,7 @@ TEST(Footprint, HoldsEverySampleOfItsBlock) {
             for (const Patch& p : patches) {
                 Footprint f{-1, -1, -1, -1, 0, 0};
                 Watcher alone;
-                draw({&p, 1}, {}, setup, *memory, alone);
+                draw(std::span(&p, 1), {}, setup, *memory, alone);
                 const Visibility v = patch_footprint(p, setup.matrix, spec, object, f);
                 if (v != Visibility::outside) continue;
                 EXPECT_EQ(alone.samples, 0);
@@ -187,7 +187,7 @@ TEST(Footprint, OfAPatchIsItsBlocksOrTheFrame) {
     spec.coefficient_bits = 24;
     const View view = umbra78::test::perspective(0, 0, 2, 5, 1, 20);
     const auto of = [&](const Patch& p, const View& v, Footprint& f) {
-        const hw::WordFormat object = object_format({&p, 1});
+        const hw::WordFormat object = object_format(std::span(&p, 1));
         MatrixWords m;
         EXPECT_EQ(load_view(v, spec, object, m), hw::LoadStatus::ok);
         return patch_footprint(p, m, spec, object, f);

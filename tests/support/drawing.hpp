@@ -65,7 +65,7 @@ struct Unhiding {
     static constexpr bool shades = S::shades;
     S& sink;
     bool hidden(const raster::Footprint&) const { return false; }
-    void sample(const raster::Sample& s, std::uint32_t code, const raster::BlockShading* shading) {
+    void sample(const raster::Sample& s, std::uint32_t code, const auto* shading) {
         sink.sample(s, code, shading);
     }
 };
@@ -94,10 +94,10 @@ public:
     const hw::MachineSpec& spec() const { return spec_; }
 
     // Draws into what is there. `light` shades; without it there is depth alone.
-    raster::DrawCounts draw(const Patches& patches, const raster::View& view,
+    raster::DrawCounts draw(const raster::Surfaces& surfaces, const raster::View& view,
                             raster::Sampling sampling, const raster::View* light = nullptr,
                             std::span<const std::uint32_t> order = {}, bool may_hide = true) {
-        const hw::WordFormat object = raster::object_format(patches);
+        const hw::WordFormat object = raster::object_format(surfaces);
         raster::DrawSetup setup{spec_, {}, object, sampling, materials, {}};
         EXPECT_EQ(raster::load_view(view, spec_, object, setup.matrix), hw::LoadStatus::ok);
         setup.shading.ambient_q8 = ambient_q8;
@@ -105,9 +105,9 @@ public:
         if (light != nullptr) setup.shading.light = raster::toward_eye(*light, object);
         auto frame = store();
         const auto into = [&](auto sink) {
-            if (may_hide) return raster::draw(patches, order, setup, *memory_, sink);
+            if (may_hide) return raster::draw(surfaces, order, setup, *memory_, sink);
             Unhiding<decltype(sink)> open{sink};
-            return raster::draw(patches, order, setup, *memory_, open);
+            return raster::draw(surfaces, order, setup, *memory_, open);
         };
         return light != nullptr ? into(raster::PictureSink<Depth>{frame})
                                 : into(raster::DepthSink<Depth>{frame});

@@ -55,12 +55,13 @@ void for_omissions(const Planned& planned, bool left_out, Visit visit) {
 }
 
 ordered_json to_json(const Options& options, const Planned& planned) {
-    const shadow::OutsidePatches& outside = planned.plan().outside;
+    const shadow::OutsideSurfaces& outside = planned.plan().outside;
     ordered_json json{{"scene", options.scene},
                       {"size_px", planned.scene.settings.machine.size_px()},
                       {"patches", planned.scene.patches.size()},
-                      {"patches_outside_light", outside.light[0]},
-                      {"patches_outside_observer", outside.observer},
+                      {"triangles", planned.scene.facets.size()},
+                      {"surfaces_outside_light", outside.light[0]},
+                      {"surfaces_outside_observer", outside.observer},
                       {"visible_pixels", planned.ledger.visible}};
     const shadow::FrameCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k)
@@ -106,11 +107,12 @@ void print_stages(const Planned& planned) {
 
 void print_rows(const Options& options, const Planned& planned) {
     const int size = planned.scene.settings.machine.size_px();
-    const shadow::OutsidePatches& outside = planned.plan().outside;
-    fmt::print("{}: {} x {} pixels, {} of them visible; {} patches, {} outside the light's view, "
+    const shadow::OutsideSurfaces& outside = planned.plan().outside;
+    fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} outside the light's view, "
                "{} outside the observer's\n\n",
                options.scene, size, size, grouped(planned.ledger.visible),
-               planned.scene.patches.size(), outside.light[0], outside.observer);
+               planned.scene.surfaces().count(), kinds_of_surfaces(planned.scene),
+               outside.light[0], outside.observer);
     print_stages(planned);
     fmt::print("\n{:<30}{:>12}   {}\n", "left out", "cycles", "because");
     bool starred = false;

@@ -91,6 +91,7 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
                       {"picture", picture_path(options).string()},
                       {"size_px", rendered.scene.settings.machine.size_px()},
                       {"patches", rendered.scene.patches.size()},
+                      {"triangles", rendered.scene.facets.size()},
                       {"frame_bytes", job.frame_bytes()}};
     for (const Plane plane : all_planes)
         json["hashes"][name_of(plane)] = hash_of(job.buffer(plane));
@@ -106,8 +107,8 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
 void print_rows(const Options& options, const Rendered& rendered) {
     const RenderJob& job = rendered.job;
     const int size = rendered.scene.settings.machine.size_px();
-    fmt::print("{}: {} x {} pixels, {} patches\n", picture_path(options).string(), size, size,
-               rendered.scene.patches.size());
+    fmt::print("{}: {} x {} pixels, {} {}\n", picture_path(options).string(), size, size,
+               rendered.scene.surfaces().count(), kinds_of_surfaces(rendered.scene));
     for (const Plane plane : all_planes)
         fmt::print("{:<11} {}\n", name_of(plane), hash_of(job.buffer(plane)));
     fmt::print("bias        {}\n", print(bias_report(rendered.scene.light, job)));

@@ -12,7 +12,7 @@ namespace {
 
 struct ModelFormat {
     std::string_view ending;
-    void (*read)(std::string_view text, Model&, FirstError&);
+    void (*read)(std::string_view text, ModelData&, FirstError&);
 };
 
 constexpr ModelFormat formats[] = {

@@ -34,7 +34,7 @@ struct ModelPoint {
 
 using ModelPatch = std::array<ModelPoint, 16>;
 
-struct Model {
+struct ModelData {
     std::string name;  // the file's, for errors
     std::vector<ModelPatch> patches;
     std::vector<ModelPoint> vertices;
@@ -45,7 +45,7 @@ struct Model {
 };
 
 struct ModelResult {
-    Model model;        // whole only if there is no error
+    ModelData model;        // whole only if there is no error
     std::string error;  // one line: file and line, what is wrong, the remedy
 
     bool ok() const { return error.empty(); }

@@ -25,7 +25,7 @@ bool is_skipped(std::string_view word) {
 
 class ObjReader {
 public:
-    ObjReader(Model& model, FirstError& error) : model_(model), error_(error) {}
+    ObjReader(ModelData& model, FirstError& error) : model_(model), error_(error) {}
 
     void read(std::string_view text) {
         ObjStatements statements(text);
@@ -131,7 +131,7 @@ private:
                 if (n != Facet::flat) n = place[n];
     }
 
-    Model& model_;
+    ModelData& model_;
     FirstError& error_;
     std::vector<ModelPoint> points_, normals_;
     std::vector<ObjCorner> corners_;        // of all faces
@@ -141,7 +141,7 @@ private:
 
 }  // namespace
 
-void read_obj(std::string_view text, Model& model, FirstError& error) {
+void read_obj(std::string_view text, ModelData& model, FirstError& error) {
     ObjReader(model, error).read(text);
 }
 

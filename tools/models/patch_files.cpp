@@ -83,7 +83,7 @@ BezHeader read_header(ModelWords& words) {
 
 }  // namespace
 
-void read_bpt(std::string_view text, Model& model, FirstError& error) {
+void read_bpt(std::string_view text, ModelData& model, FirstError& error) {
     ModelWords words(text, model.name, false, error);
     const int patches = words.count("the number of patches", 1, most_patches);
     for (int k = 1; k <= patches && !error.any(); ++k) {
@@ -93,7 +93,7 @@ void read_bpt(std::string_view text, Model& model, FirstError& error) {
     refuse_rest(words, fmt::format("patch {0} of {0}", patches));
 }
 
-void read_bez(std::string_view text, Model& model, FirstError& error) {
+void read_bez(std::string_view text, ModelData& model, FirstError& error) {
     ModelWords words(text, model.name, false, error);
     if (words.done()) return;
     const BezHeader header = read_header(words);
@@ -108,7 +108,7 @@ void read_bez(std::string_view text, Model& model, FirstError& error) {
     }
 }
 
-void read_tea(std::string_view text, Model& model, FirstError& error) {
+void read_tea(std::string_view text, ModelData& model, FirstError& error) {
     ModelWords words(text, model.name, true, error);
     const int patches = words.count("the number of patches", 1, most_patches);
     std::vector<std::array<ModelWord, 16>> numbers;

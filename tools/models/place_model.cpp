@@ -22,7 +22,7 @@ Vector<Wide> upright(const ModelPoint& point, bool z_up) {
 
 class Placer {
 public:
-    Placer(const Model& model, const ModelPlacing& how, const std::string& remedy,
+    Placer(const ModelData& model, const ModelPlacing& how, const std::string& remedy,
            FirstError& error)
         : model_(model), how_(how), remedy_(remedy), error_(error) {}
 
@@ -58,7 +58,7 @@ private:
                            units(words[2]));
     }
 
-    const Model& model_;
+    const ModelData& model_;
     const ModelPlacing& how_;
     const std::string& remedy_;
     FirstError& error_;
@@ -67,7 +67,7 @@ private:
 bool is_flat(const Facet& facet) { return facet.normal[0] == Facet::flat; }
 
 // The sum of the facets' normals at each vertex.
-std::vector<Vector<Wide>> vertex_normals(const Model& model, bool z_up) {
+std::vector<Vector<Wide>> vertex_normals(const ModelData& model, bool z_up) {
     std::vector<Vector<Wide>> sums(model.vertices.size());
     for (const Facet& facet : model.facets) {
         std::array<Vector<Wide>, 3> p;
@@ -84,7 +84,7 @@ std::vector<Vector<Wide>> vertex_normals(const Model& model, bool z_up) {
     return sums;
 }
 
-void place_normals(const Model& model, const ModelPlacing& how, const Placer& placer,
+void place_normals(const ModelData& model, const ModelPlacing& how, const Placer& placer,
                    PlacedModel& out) {
     if (!how.smooth) {
         for (Facet& facet : out.facets) facet.normal.fill(Facet::flat);
@@ -103,7 +103,7 @@ void place_normals(const Model& model, const ModelPlacing& how, const Placer& pl
 
 }  // namespace
 
-PlacedModel place_model(const Model& model, const ModelPlacing& how, const std::string& remedy,
+PlacedModel place_model(const ModelData& model, const ModelPlacing& how, const std::string& remedy,
                         FirstError& error) {
     Placer placer(model, how, remedy, error);
     PlacedModel out;

@@ -36,6 +36,7 @@ struct PlacedModel {
 // with `remedy`; then the placed model is not to be used. A vertex's normal is the sum of its
 // facets' normals, each as long as twice the facet's area; a facet with a normal of no length is
 // flat.
-PlacedModel place_model(const Model&, const ModelPlacing&, const std::string& remedy, FirstError&);
+PlacedModel place_model(const ModelData&, const ModelPlacing&, const std::string& remedy,
+                        FirstError&);
 
 }  // namespace umbra78::tools

@@ -48,9 +48,9 @@ Warnings frame_warnings(const LoadedScene& scene, const RenderJob& job,
                    warnings);
     warn_of_blocks(job.counts().lights[0].map.unresolved, "light", "cast no shadow", warnings);
     const std::vector<std::uint8_t> visible = job.visible();
-    if (!scene.patches.empty() && std::count(visible.begin(), visible.end(), 1) == 0) {
+    if (!scene.surfaces().empty() && std::count(visible.begin(), visible.end(), 1) == 0) {
         raster::View whole = scene.observer;
-        whole.extent = fitted_extent(whole, scene.patches);
+        whole.extent = fitted_extent(whole, scene.surfaces());
         warnings.push_back(
             {"nothing_visible", 0,
              fmt::format("0 pixels show a surface: the scene is beside the picture or smaller than "

@@ -57,8 +57,8 @@ std::string_view explain(Reason reason) {
         case Reason::nothing_there: return "nothing was drawn there, so nothing is in shadow";
         case Reason::dither_off: return "dither is none";
         case Reason::dither_rounds_to_zero: return "dither is so small that every word is 0";
-        case Reason::no_caster: return "every patch lies outside the light's view";
-        case Reason::nothing_visible: return "every patch lies outside the observer's view";
+        case Reason::no_caster: return "every surface lies outside the light's view";
+        case Reason::nothing_visible: return "every surface lies outside the observer's view";
         case Reason::outside_light: return "nothing visible lies in the light's volume";
         case Reason::nothing_shadowed: return "without the post-process the mask is all lit";
         case Reason::no_passes: return "it is set to 0 passes";

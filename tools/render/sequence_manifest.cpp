@@ -55,6 +55,13 @@ std::string hash_inputs(const LoadedScene& scene) {
         hash.add(patch.material);
         for (const raster::World& p : patch.control) hash.add(p);
     }
+    hash.add(scene.facets.size(), scene.vertices.size(), scene.normals.size());
+    for (const raster::World& p : scene.vertices) hash.add(p);
+    for (const auto& n : scene.normals) hash.add(n[0], n[1], n[2]);
+    for (const raster::Facet& f : scene.facets) {
+        hash.add(f.material);
+        for (std::size_t k = 0; k < 3; ++k) hash.add(f.vertex[k], f.normal[k]);
+    }
     for (const raster::Material& m : scene.materials) hash.add(m.diffuse, m.specular, m.shininess);
     hash.add(scene.observer);
     hash.add(scene.light);

@@ -17,9 +17,9 @@ std::string decimal(std::int64_t q16) {
     return fmt::format("{:.6g}", static_cast<double>(q16) / world_one);
 }
 
-raster::View fitted_view(raster::View view, Patches patches) {
-    view.extent = fitted_extent(view, patches);
-    raster::fit_depth(view, raster::depth_range(view, patches));
+raster::View fitted_view(raster::View view, const Surfaces& surfaces) {
+    view.extent = fitted_extent(view, surfaces);
+    raster::fit_depth(view, raster::depth_range(view, surfaces));
     return view;
 }
 
@@ -40,18 +40,19 @@ std::string behind(double depth) {
 // What near and far cut off of what the view's window shows. `loses` says what a cut patch does.
 void warn_of_depths(const LoadedScene& scene, const raster::View& view, const std::string& name,
                     const std::string& loses, Warnings& warnings) {
-    const CutDepths cut = cut_depths(view, scene.patches);
+    const CutDepths cut = cut_depths(view, scene.surfaces());
     if (!cut.any()) return;
     const bool perspective = view.projection == raster::Projection::perspective;
     raster::View whole = view;
-    raster::fit_depth(whole, raster::depth_range(view, scene.patches));
-    const bool fits = !cut_depths(whole, scene.patches).any();
-    const std::size_t all = scene.patches.size();
+    raster::fit_depth(whole, raster::depth_range(view, scene.surfaces()));
+    const bool fits = !cut_depths(whole, scene.surfaces()).any();
+    const std::size_t all = scene.surfaces().count();
     const auto add = [&](const char* key, std::size_t patches, const std::string& what,
                          const std::string& remedy) {
         warnings.push_back({key, static_cast<double>(patches),
-                            fmt::format("{} of {} patches {} {}; {}{}", patches, all, what, loses,
-                                        remedy, fits ? ", or leave near and far out" : "")});
+                            fmt::format("{} of {} {} {} {}; {}{}", patches, all, kinds_of_surfaces(scene),
+                                        what, loses, remedy,
+                                        fits ? ", or leave near and far out" : "")});
     };
     if (cut.before > 0) {
         const bool by_far = perspective && view.near_depth == view.far_depth / 1024;
@@ -69,33 +70,34 @@ void warn_of_depths(const LoadedScene& scene, const raster::View& view, const st
 }
 
 void warn_of_light(const LoadedScene& scene, Warnings& warnings) {
-    const std::size_t all = scene.patches.size();
-    const Outside outside = count_outside(scene.light, scene.patches);
-    const raster::View whole = fitted_view(scene.light, scene.patches);
-    if (outside.window > count_outside(whole, scene.patches).window)
+    const std::size_t all = scene.surfaces().count();
+    const Outside outside = count_outside(scene.light, scene.surfaces());
+    const raster::View whole = fitted_view(scene.light, scene.surfaces());
+    if (outside.window > count_outside(whole, scene.surfaces()).window)
         warnings.push_back(
             {"light_window", static_cast<double>(outside.window),
-             fmt::format("{} of {} patches reach out of the light's picture and may cast no "
-                         "shadow; light.extent = {} holds them, or leave it out",
-                         outside.window, all, decimal(whole.extent))});
+             fmt::format("{} of {} {} reach out of the light's picture and may cast no shadow; "
+                         "light.extent = {} holds them, or leave it out",
+                         outside.window, all, kinds_of_surfaces(scene), decimal(whole.extent))});
     else if (outside.window > 0)
         warnings.push_back(
             {"light_window", static_cast<double>(outside.window),
-             fmt::format("{} of {} patches lie beside or behind the light and cast no shadow; "
-                         "move light.position out of the scene", outside.window, all)});
+             fmt::format("{} of {} {} lie beside or behind the light and cast no shadow; "
+                         "move light.position out of the scene",
+                         outside.window, all, kinds_of_surfaces(scene))});
     warn_of_depths(scene, scene.light, "light", "and may cast no shadow", warnings);
 }
 
 void warn_of_observer(const LoadedScene& scene, Warnings& warnings) {
     const std::size_t before = warnings.size();
     warn_of_depths(scene, scene.observer, "observer", "and are cut off", warnings);
-    const std::size_t outside = count_outside(scene.observer, scene.patches).window;
-    if (warnings.size() == before && outside == scene.patches.size())
+    const std::size_t outside = count_outside(scene.observer, scene.surfaces()).window;
+    if (warnings.size() == before && outside == scene.surfaces().count())
         warnings.push_back(
             {"observer_window", static_cast<double>(outside),
-             fmt::format("every patch reaches out of the picture; observer.extent = {} shows the "
+             fmt::format("every surface reaches out of the picture; observer.extent = {} shows the "
                          "whole scene, or leave it out",
-                         decimal(fitted_view(scene.observer, scene.patches).extent))});
+                         decimal(fitted_view(scene.observer, scene.surfaces()).extent))});
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ void check_matrices(const LoadedScene& scene, FirstError& error) {
 
 Warnings warnings_of(const LoadedScene& scene) {
     Warnings warnings;
-    if (scene.patches.empty()) {
+    if (scene.surfaces().empty()) {
         warnings.push_back(
             {"empty", 0, "nothing is drawn: there is no [[sphere]], [[plane]] or [[patch]]"});
     } else {

@@ -20,10 +20,10 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
     if (error.any()) return;
     read_surfaces(root, files, scene, error);
     if (error.any()) return;
-    take_origin(read_origin(root, scene.patches, error), scene);
-    scene.observer = read_observer(root, scene.patches, scene.origin, error);
+    take_origin(read_origin(root, scene.surfaces(), error), scene);
+    scene.observer = read_observer(root, scene.surfaces(), scene.origin, error);
     if (error.any()) return;
-    scene.light = read_light(root, scene.patches, scene.origin, error);
+    scene.light = read_light(root, scene.surfaces(), scene.origin, error);
     const bool perspective = scene.observer.projection == raster::Projection::perspective ||
                              scene.light.projection == raster::Projection::perspective;
     scene.settings = read_settings(root.find("settings"), set, perspective, error);
@@ -35,6 +35,11 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
 }
 
 }  // namespace
+
+std::string_view kinds_of_surfaces(const LoadedScene& scene) {
+    if (scene.facets.empty()) return "patches";
+    return scene.patches.empty() ? "triangles" : "patches and triangles";
+}
 
 SceneResult read_scene(std::string_view text, const std::string& name,
                        std::span<const std::string> overrides, const FileSource& files) {

@@ -34,8 +34,13 @@ struct LoadedScene {
     shadow::Settings settings;           // the file's, with the overrides applied
     Warnings warnings;                   // a caster outside the light's volume, ...
 
-    shadow::Scene view() const { return {patches, materials, observer, {{light}}}; }
+    raster::Mesh mesh() const { return {vertices, normals, facets}; }
+    raster::Surfaces surfaces() const { return {patches, mesh()}; }
+    shadow::Scene view() const { return {patches, materials, observer, {{light}}, 1, mesh()}; }
 };
+
+// What its surfaces are called where they are counted: "patches", "patches and triangles", ...
+std::string_view kinds_of_surfaces(const LoadedScene&);
 
 struct SceneResult {
     LoadedScene scene;  // whole only if there is no error

@@ -16,7 +16,7 @@ ModelPlacing read_placing(const TableReader& in) {
     return how;
 }
 
-Model read_file(const TableReader& in, const FileSource& files) {
+ModelData read_file(const TableReader& in, const FileSource& files) {
     const std::string path = in.needed_text("file");
     if (in.error().any()) return {};
     const TomlNode& where = in.need("file");
@@ -53,7 +53,7 @@ void append(const PlacedModel& placed, std::uint16_t material, LoadedScene& scen
     }
 }
 
-void warn_of_model(const Model& model, Warnings& warnings) {
+void warn_of_model(const ModelData& model, Warnings& warnings) {
     const auto warn = [&](const char* key, std::size_t count, const char* what) {
         if (count == 0) return;
         warnings.push_back({key, static_cast<double>(count),
@@ -78,7 +78,7 @@ void read_models(const TomlNode& root, const MaterialNames& names, const FileSou
         const TableReader in(node, scene_table("model"), error);
         const ModelPlacing how = read_placing(in);
         const std::uint16_t material = read_material(in, names);
-        const Model model = read_file(in, files);
+        const ModelData model = read_file(in, files);
         if (error.any()) return;
         const std::string remedy =
             fmt::format("change 'scale' or 'place' of the [[model]] at {}", node.where);

@@ -46,12 +46,6 @@ bool greater(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
     return left.high != right.high ? left.high > right.high : left.low > right.low;
 }
 
-template <class Visit>
-void for_points(Patches patches, Visit visit) {
-    for (const raster::Patch& patch : patches)
-        for (const World& point : patch.control) visit(point);
-}
-
 std::int32_t clamp_to_word(std::int64_t v) {
     constexpr std::int64_t max = std::numeric_limits<std::int32_t>::max();
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(v, 1, max));
@@ -59,28 +53,30 @@ std::int32_t clamp_to_word(std::int64_t v) {
 
 }  // namespace
 
-World box_centre(Patches patches) {
-    if (patches.empty()) return {};
-    World min = patches.front().control.front(), max = min;
-    for_points(patches, [&](const World& p) {
+World box_centre(const Surfaces& surfaces) {
+    constexpr std::int32_t low = std::numeric_limits<std::int32_t>::min();
+    constexpr std::int32_t high = std::numeric_limits<std::int32_t>::max();
+    World min{high, high, high}, max{low, low, low};
+    surfaces.for_points([&](const World& p) {
         min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
         max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
     });
+    if (min.x > max.x) return {};
     const auto middle = [](std::int64_t a, std::int64_t b) {
         return static_cast<std::int32_t>(fixed::round_shift(a + b, 1, Rounding::floor));
     };
     return {middle(min.x, max.x), middle(min.y, max.y), middle(min.z, max.z)};
 }
 
-std::int32_t fitted_extent(const raster::View& view, Patches patches) {
-    if (patches.empty()) return std::int32_t{1} << raster::world_fraction;
+std::int32_t fitted_extent(const raster::View& view, const Surfaces& surfaces) {
+    if (surfaces.empty()) return std::int32_t{1} << raster::world_fraction;
     if (view.projection == raster::Projection::orthographic) {
         std::int64_t side = 0;
-        for_points(patches, [&](const World& p) { side = std::max(side, place(view, p).side); });
+        surfaces.for_points([&](const World& p) { side = std::max(side, place(view, p).side); });
         return clamp_to_word(fixed::round_shift(side, from_world, Rounding::ceiling));
     }
     Place steepest{0, 1};
-    for_points(patches, [&](const World& p) {
+    surfaces.for_points([&](const World& p) {
         const Place at = place(view, p);
         if (at.depth > 0 && greater(at.side, at.depth, steepest.side, steepest.depth))
             steepest = at;
@@ -92,22 +88,30 @@ std::int32_t fitted_extent(const raster::View& view, Patches patches) {
     return clamp_to_word(extent);
 }
 
-Outside count_outside(const raster::View& view, Patches patches) {
+Outside count_outside(const raster::View& view, const Surfaces& surfaces) {
     const bool perspective = view.projection == raster::Projection::perspective;
     Outside outside;
-    for (const raster::Patch& patch : patches) {
-        bool window = false, depth = false;
-        for (const World& point : patch.control) {
-            const Place at = place(view, point);
-            window |= perspective
-                          ? at.depth <= 0 || greater(at.side, at.depth, view.extent, view.distance)
-                          : at.side > std::int64_t{view.extent} << from_world;
-            const std::int64_t d =
-                fixed::round_shift(at.depth, from_world, Rounding::half_even);
-            depth |= d < view.near_depth || d > view.far_depth;
-        }
+    bool window = false, depth = false;
+    const auto look = [&](const World& point) {
+        const Place at = place(view, point);
+        window |= perspective
+                      ? at.depth <= 0 || greater(at.side, at.depth, view.extent, view.distance)
+                      : at.side > std::int64_t{view.extent} << from_world;
+        const std::int64_t d = fixed::round_shift(at.depth, from_world, Rounding::half_even);
+        depth |= d < view.near_depth || d > view.far_depth;
+    };
+    const auto count = [&] {
         outside.window += window;
         outside.depth += depth;
+        window = depth = false;
+    };
+    for (const raster::Patch& patch : surfaces.patches) {
+        for (const World& point : patch.control) look(point);
+        count();
+    }
+    for (const raster::Facet& facet : surfaces.mesh.facets) {
+        for (const std::uint32_t k : facet.vertex) look(surfaces.mesh.vertices[k]);
+        count();
     }
     return outside;
 }

@@ -32,11 +32,11 @@ void look_by_angles(const TableReader& in, View& view) {
 }
 
 // The window and the depth range, as given or fitted. The view's other members are read.
-void fit(const TableReader& in, View& view, Patches patches) {
+void fit(const TableReader& in, View& view, const Surfaces& surfaces) {
     view.extent = static_cast<std::int32_t>(in.number("extent", 0));
     if (in.error().any()) return;
-    if (view.extent == 0) view.extent = fitted_extent(view, patches);
-    raster::fit_depth(view, raster::depth_range(view, patches));
+    if (view.extent == 0) view.extent = fitted_extent(view, surfaces);
+    raster::fit_depth(view, raster::depth_range(view, surfaces));
     const bool perspective = view.projection == Projection::perspective;
     view.near_depth = in.number("near", view.near_depth, perspective);
     view.far_depth = in.number("far", view.far_depth, perspective);
@@ -65,9 +65,9 @@ raster::World less(const raster::World& a, const raster::World& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-// A point as given, less the origin; left out, it is the middle of the patches.
-raster::World read_target(const TableReader& in, Patches patches, const raster::World& origin) {
-    return in.find("target") ? less(in.point("target", origin), origin) : box_centre(patches);
+// A point as given, less the origin; left out, it is the middle of the scene.
+raster::World read_target(const TableReader& in, const Surfaces& surfaces, const raster::World& origin) {
+    return in.find("target") ? less(in.point("target", origin), origin) : box_centre(surfaces);
 }
 
 bool reaches(const raster::World& from, const raster::World& to) {
@@ -95,40 +95,40 @@ void look_from_position(const TableReader& in, View& view, const raster::World& 
 
 }  // namespace
 
-raster::World read_origin(const TomlNode& root, Patches patches, FirstError& error) {
+raster::World read_origin(const TomlNode& root, const Surfaces& surfaces, FirstError& error) {
     const TomlNode none{.where = root.where};
     const TomlNode *observer = root.find("observer"), *light = root.find("light");
     const TableReader in(observer ? *observer : none, scene_table("observer"), error);
     if (in.choice("recentre") != 0) return {};
-    const raster::World origin = read_target(in, patches, {});
+    const raster::World origin = read_target(in, surfaces, {});
     FirstError later;  // the light's errors are read_light()'s
     const TableReader of_light(light ? *light : none, scene_table("light"), later);
     bool holds = true;
     for (const char* key : {"target", "position"})
         holds = holds && reaches(of_light.point(key, origin), origin);
-    for (const raster::Patch& patch : patches)
-        for (const raster::World& point : patch.control) holds = holds && reaches(point, origin);
+    surfaces.for_points(
+        [&](const raster::World& point) { holds = holds && reaches(point, origin); });
     return holds && !error.any() && !later.any() ? origin : raster::World{};
 }
 
-raster::View read_observer(const TomlNode& root, Patches patches, const raster::World& origin,
+raster::View read_observer(const TomlNode& root, const Surfaces& surfaces, const raster::World& origin,
                            FirstError& error) {
     const TomlNode none{.where = root.where};
     const TomlNode* node = root.find("observer");
     const TableReader in(node ? *node : none, scene_table("observer"), error);
     View view;
     view.projection = static_cast<Projection>(in.choice("projection"));
-    view.target = read_target(in, patches, origin);
+    view.target = read_target(in, surfaces, origin);
     look_by_angles(in, view);
     if (view.projection == Projection::perspective)
         view.distance = static_cast<std::int32_t>(in.needed_number("distance"));
     else
         refuse(in, "distance", "projection", "perspective");
-    fit(in, view, patches);
+    fit(in, view, surfaces);
     return view;
 }
 
-raster::View read_light(const TomlNode& root, Patches patches, const raster::World& origin,
+raster::View read_light(const TomlNode& root, const Surfaces& surfaces, const raster::World& origin,
                         FirstError& error) {
     View view;
     const TomlNode* node = root.find("light");
@@ -137,7 +137,7 @@ raster::View read_light(const TomlNode& root, Patches patches, const raster::Wor
         return view;
     }
     const TableReader in(*node, scene_table("light"), error);
-    view.target = read_target(in, patches, origin);
+    view.target = read_target(in, surfaces, origin);
     if (in.choice("kind") == 0) {
         refuse(in, "position", "kind", "point");
         in.need("azimuth");
@@ -148,7 +148,7 @@ raster::View read_light(const TomlNode& root, Patches patches, const raster::Wor
         view.projection = Projection::perspective;
         look_from_position(in, view, origin);
     }
-    fit(in, view, patches);
+    fit(in, view, surfaces);
     return view;
 }
 

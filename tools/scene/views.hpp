@@ -1,5 +1,5 @@
 // Reads the observer and the light of a scene file into views. A key that the file leaves out is
-// fitted to the control points of all patches. After an error a view is not to be used.
+// fitted to the points of all surfaces. After an error a view is not to be used.
 #pragma once
 
 #include "tools/scene/toml_text.hpp"
@@ -8,16 +8,16 @@
 namespace umbra78::tools {
 
 // What is taken from all places of the scene: the observer's target, or 0 if observer.recentre is
-// "off" or a control point, the light's target or its position would leave -32766 .. 32766.
-raster::World read_origin(const TomlNode& root, Patches, FirstError&);
+// "off" or a point of a surface, the light's target or its position would leave -32766 .. 32766.
+raster::World read_origin(const TomlNode& root, const Surfaces&, FirstError&);
 
-// The origin is taken from the views' places; it has been taken from the patches.
+// The origin is taken from the views' places; it has been taken from the surfaces.
 // [observer]; if it is left out, a view from the front that shows the whole scene.
-raster::View read_observer(const TomlNode& root, Patches, const raster::World& origin,
+raster::View read_observer(const TomlNode& root, const Surfaces&, const raster::World& origin,
                            FirstError&);
 
 // [light]: its kind "directional" makes an orthographic view, "point" a perspective one.
-raster::View read_light(const TomlNode& root, Patches, const raster::World& origin, FirstError&);
+raster::View read_light(const TomlNode& root, const Surfaces&, const raster::World& origin, FirstError&);
 
 // Moves the overrides observer.KEY and light.KEY into the tree, in place of what the file says.
 // Returns the others, the settings, as a table.

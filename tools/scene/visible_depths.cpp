@@ -36,32 +36,48 @@ public:
         : view_(view), perspective_(view.projection == raster::Projection::perspective),
           near_(q16(view.near_depth)), far_(q16(view.far_depth)) {}
 
-    CutDepths cut(Patches patches) {
-        for (const raster::Patch& patch : patches) {
+    CutDepths cut(const Surfaces& surfaces) {
+        const auto count = [&](const Net& net) {
             before_ = behind_ = false;
-            look(net_of(patch), 0);
+            look(net, 0);
             cut_.before += before_;
             cut_.behind += behind_;
-        }
+        };
+        for (const raster::Patch& patch : surfaces.patches) count(net_of(patch));
+        for (const raster::Facet& facet : surfaces.mesh.facets)
+            count(net_of(facet, surfaces.mesh));
         return cut_;
     }
 
 private:
     static double q16(std::int64_t word) { return std::ldexp(static_cast<double>(word), -16); }
 
-    Net net_of(const raster::Patch& patch) const {
-        const auto dot = [&](const raster::Axis& axis, const raster::World& p) {
+    Point seen(const raster::World& p) const {
+        const auto dot = [&](const raster::Axis& axis) {
             return std::ldexp(static_cast<double>(axis[0]) * (p.x - double(view_.target.x)) +
                               static_cast<double>(axis[1]) * (p.y - double(view_.target.y)) +
                               static_cast<double>(axis[2]) * (p.z - double(view_.target.z)), -46);
         };
         const double half = q16(view_.extent) / (perspective_ ? q16(view_.distance) : 1);
+        return {dot(view_.axes.right) / half, dot(view_.axes.up) / half,
+                (perspective_ ? q16(view_.distance) : 0) - dot(view_.axes.back)};
+    }
+    Net net_of(const raster::Patch& patch) const {
         Net net;
-        for (std::size_t k = 0; k < net.size(); ++k) {
-            const raster::World& p = patch.control[k];
-            net[k] = {dot(view_.axes.right, p) / half, dot(view_.axes.up, p) / half,
-                      (perspective_ ? q16(view_.distance) : 0) - dot(view_.axes.back, p)};
-        }
+        for (std::size_t k = 0; k < net.size(); ++k) net[k] = seen(patch.control[k]);
+        return net;
+    }
+    Net net_of(const raster::Facet& facet, const raster::Mesh& mesh) const {
+        std::array<Point, 3> corner;
+        for (std::size_t k = 0; k < 3; ++k) corner[k] = seen(mesh.vertices[facet.vertex[k]]);
+        const auto between = [](const Point& a, const Point& b, std::size_t third) {
+            const double t = static_cast<double>(third) / 3;
+            return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y),
+                         a.depth + t * (b.depth - a.depth)};
+        };
+        Net net;
+        for (std::size_t k = 0; k < net.size(); ++k)
+            net[k] = between(between(corner[0], corner[1], k % 4), corner[2], k / 4);
         return net;
     }
 
@@ -126,13 +142,13 @@ private:
     bool perspective_;
     double near_, far_;
     CutDepths cut_;
-    bool before_ = false, behind_ = false;  // of the current patch
+    bool before_ = false, behind_ = false;  // of the current patch or facet
 };
 
 }  // namespace
 
-CutDepths cut_depths(const raster::View& view, Patches patches) {
-    return Window(view).cut(patches);
+CutDepths cut_depths(const raster::View& view, const Surfaces& surfaces) {
+    return Window(view).cut(surfaces);
 }
 
 }  // namespace umbra78::tools

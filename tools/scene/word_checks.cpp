@@ -88,10 +88,12 @@ private:
 
 template <class Visit>
 void for_points(const LoadedScene& scene, Visit visit) {
-    const std::size_t points = 16 * scene.patches.size();
+    const std::size_t controls = 16 * scene.patches.size();
+    const std::size_t points = controls + scene.vertices.size();
     const std::size_t step = (points + max_points - 1) / max_points;
     for (std::size_t k = 0; k < points; k += step) {
-        const raster::World& p = scene.patches[k / 16].control[k % 16];
+        const raster::World& p = k < controls ? scene.patches[k / 16].control[k % 16]
+                                              : scene.vertices[k - controls];
         visit(Real4{q16(p.x), q16(p.y), q16(p.z), 1});
     }
 }
@@ -195,7 +197,7 @@ bool warn_of_order(const LoadedScene& scene, const View& view, const std::string
     const double steps = step / pixel(view, spec);
     if (steps <= 4) return false;
     View whole = view;
-    raster::fit_depth(whole, raster::depth_range(view, scene.patches));
+    raster::fit_depth(whole, raster::depth_range(view, scene.surfaces()));
     const bool as_fitted = whole.near_depth == view.near_depth && whole.far_depth == view.far_depth;
     warnings.push_back(
         {"depth_order", steps,

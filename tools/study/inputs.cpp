@@ -76,7 +76,7 @@ Asked ask_again(const ordered_json& inputs, const std::string& path, Studies kno
         study = &study_of(inputs.at("study"), path, known);
         request.scene_file = inputs.at("scene_file");
         request.scene_text = inputs.at("scene");
-        if (inputs.contains("models")) request.models = inputs.at("models").get<decltype(request.models)>();
+        if (inputs.contains("models")) inputs.at("models").get_to(request.models);
         for (const ordered_json& vary : inputs.at("vary"))
             request.vary.emplace_back(vary.at("key"),
                                       vary.at("values").get<std::vector<std::string>>());

@@ -64,6 +64,18 @@ TEST(CostTable, Filters) {
     expect_row(row("composite, pixel", cost::composite_pixel));
 }
 
+TEST(CostTable, Facets) {
+    namespace c = raster::cost;
+    const std::uint64_t n = c::facet_quotients;
+    expect_row(row("facet in perspective: corners divided", "", "",
+                   pair(n, n * c::divided_corner_bits), ""));
+    expect_row(row("triangle whose box holds a centre", c::triangle_setup));
+    expect_row(row("line of its box", c::triangle_line));
+    expect_row(row("sample of a facet", c::triangle_sample));
+    expect_row(row("facet, shading: its own normal", c::facet_normal));
+    expect_row(row("shaded sample of a facet, beside section 16's", c::corner_weights));
+}
+
 TEST(CostTable, Drawing) {
     namespace c = raster::cost;
     const auto adds = [](const char* what, std::uint64_t n) {

@@ -291,5 +291,149 @@ TEST(Vectors, Shading) {
                   lines);
 }
 
+// A polygon's vertex: X Y Z W, its place, its normal.
+Line& operator<<(Line& line, const raster::FacetVertex& v) {
+    for (const std::int64_t n : v.screen) line << n;
+    for (const std::int64_t n : v.world) line << n;
+    for (const std::int64_t n : v.normal) line << n;
+    return line;
+}
+Line& operator<<(Line& line, const raster::Corner& c) { return line << c.x << c.y << c.z; }
+
+raster::Corner some_corner(Inputs& in, std::int64_t reach) {
+    const auto word = [&](std::int64_t limit) {
+        return static_cast<std::int32_t>(in.between(-limit, limit));
+    };
+    return {word(reach), word(reach), word(INT32_MAX / 4)};
+}
+
+void add_triangles(Inputs& in, Lines& lines) {
+    const hw::MachineSpec spec{.xy_bits = 4};
+    constexpr std::int32_t half = 1 << (raster::raster_fraction - 1);
+    for (int k = 0; k < 40; ++k) {
+        const std::int64_t reach = k % 4 == 3 ? raster::max_screen : 5 << 13;
+        raster::Corner a = some_corner(in, reach), b = some_corner(in, reach);
+        raster::Corner c = some_corner(in, reach);
+        if (k % 4 == 1)  // corners on pixels' centres and between them
+            for (std::int32_t* v : {&a.x, &a.y, &b.x, &b.y, &c.x, &c.y})
+                *v = static_cast<std::int32_t>(fixed::floor_shift(std::int64_t{*v}, 12)) * half;
+        if (k == 5) c = {2 * b.x - a.x, 2 * b.y - a.y, 0};
+        int count = 0;
+        std::int64_t sum = 0;
+        raster::Sample first{}, last{};
+        raster::sample_triangle(a, b, c, spec, [&](const raster::Sample& s) {
+            if (count++ == 0) first = s;
+            last = s;
+            sum += s.z;
+        });
+        Line line;
+        line << "triangle" << a << b << c << "->" << count;
+        if (count > 0)
+            line << sum << first.px << first.py << first.z << last.px << last.py << last.z;
+        lines.push_back(line.text());
+    }
+}
+
+void add_polygons(Inputs& in, Lines& lines) {
+    for (int k = 0; k < 40; ++k) {
+        hw::MachineSpec spec;
+        spec.xy_bits = static_cast<int>(in.between(4, 12));
+        spec.z_bits = static_cast<int>(in.between(4, 24));
+        const bool affine = k % 2 == 0;
+        const raster::GuardBand band = raster::guard_band(spec, affine);
+        raster::FacetPolygon p;
+        p.count = 3;
+        Line line;
+        line << "polygon" << spec.xy_bits << spec.z_bits << (affine ? "affine" : "perspective");
+        for (std::size_t v = 0; v < 3; ++v) {
+            raster::FacetVertex& at = p.vertex[v];
+            const std::int64_t w = affine ? 1 : in.between(-1, 3) * in.between(1, 1 << 20);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::int64_t limit = band[axis] * std::max<std::int64_t>(w, 1);
+                at.screen[axis] = in.between(-2 * limit, 2 * limit);
+                at.world[axis] = in.word(22);
+                at.normal[axis] = in.between(-16384, 16384);
+            }
+            at.screen[3] = w;
+            line << at;
+        }
+        bool cut = false;
+        const bool left = p.clip(band, cut);
+        line << "->" << (left ? p.count : 0);
+        for (std::size_t v = 0; left && v < p.count; ++v) line << p.vertex[v];
+        lines.push_back(line.text());
+    }
+}
+
+void add_shades(Inputs& in, Lines& lines) {
+    const auto direction = [&](bool to_point) {
+        raster::WideVector d;
+        for (std::int64_t& n : d) n = in.between(-16384, 16384);
+        const raster::UnitVector unit = raster::unit_vector(d);
+        for (std::int64_t& n : d) n *= 1 << 9;
+        return raster::Toward{to_point, unit, d};
+    };
+    for (int k = 0; k < 40; ++k) {
+        const bool flat = k % 4 == 0, to_point = k % 3 == 0;
+        std::array<raster::FacetVertex, 3> v;
+        std::array<raster::WideVector, 3> facet;
+        raster::FacetTriangle t{{&v[0], &v[1], &v[2]}, {}};
+        Line line;
+        line << (flat ? "flat" : "smooth") << (to_point ? "points" : "directions");
+        for (std::size_t c = 0; c < 3; ++c) {
+            t.screen[c] = some_corner(in, k % 2 == 0 ? 5 << 13 : raster::max_screen);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                v[c].world[axis] = in.word(22);
+                v[c].normal[axis] = in.between(-16384, 16384);
+            }
+            v[c].screen = {0, 0, 0, k % 5 == 0 ? 1 : in.between(1, std::int64_t{1} << 43)};
+            facet[c] = v[c].world;
+            line << t.screen[c] << v[c].screen[3];
+            for (const std::int64_t n : v[c].world) line << n;
+            for (const std::int64_t n : v[c].normal) line << n;
+        }
+        raster::ShadingSpec spec;
+        spec.ambient_q8 = static_cast<std::int32_t>(in.between(0, 256));
+        spec.light = direction(to_point);
+        spec.viewer = direction(to_point);
+        for (const raster::Toward& to : {spec.light, spec.viewer})
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                line << (to_point ? to.point[axis] : std::int64_t{to.direction[axis]});
+        const raster::Material material{static_cast<std::int32_t>(in.between(0, 255)),
+                                        static_cast<std::int32_t>(in.between(0, 255)),
+                                        static_cast<std::int32_t>(in.between(0, 8))};
+        // The corners' mean lies in the triangle.
+        raster::Sample s{};
+        s.x = static_cast<std::int32_t>(
+            (std::int64_t{t.screen[0].x} + t.screen[1].x + t.screen[2].x) / 3);
+        s.y = static_cast<std::int32_t>(
+            (std::int64_t{t.screen[0].y} + t.screen[1].y + t.screen[2].y) / 3);
+        const raster::FacetShading shading(t, facet, flat, spec, material);
+        const raster::Shade lit = shading.shade(s, false), dark = shading.shade(s, true);
+        line << spec.ambient_q8 << material.diffuse << material.specular << material.shininess
+             << s.x << s.y << "->" << lit.intensity << lit.direct << dark.intensity << dark.direct;
+        lines.push_back(line.text());
+    }
+}
+
+TEST(Vectors, Triangles) {
+    Inputs in(21);
+    Lines lines;
+    add_triangles(in, lines);
+    add_polygons(in, lines);
+    add_shades(in, lines);
+    check_vectors("triangles",
+                  {"Section 21. xy_bits is 4 for triangles.",
+                   "triangle a (x y z) b c -> number of samples, then the sum of their Z, and px py "
+                   "Z of the first and of the last, line by line from the top",
+                   "polygon xy_bits z_bits affine|perspective, three vertices: X Y Z W, object "
+                   "place x 2^6, normal -> number of vertices left in the guard band, and these",
+                   "flat|smooth directions|points, three corners: x y z W, object place x 2^6, "
+                   "normal; to_light, to_viewer, or where light and eye are (in places' words); "
+                   "ambient diffuse specular shininess, a covered place x y -> intensity and "
+                   "direct share lit, and in shadow"},
+                  lines);
+}
+
 }  // namespace
 }  // namespace umbra78::test

@@ -67,7 +67,7 @@ TEST(Vectors, Patches) {
         const auto largest = k < 4 ? near[static_cast<std::size_t>(k)]
                                    : static_cast<std::int32_t>(std::abs(in.word(31)) % 2147352576);
         patch.control[5] = {-largest, largest / 3, -largest / 5};
-        const hw::WordFormat f = raster::object_format({&patch, 1});
+        const hw::WordFormat f = raster::object_format(std::span(&patch, 1));
         const hw::Words w = raster::to_object_words(patch, f)[5];
         lines.push_back((Line() << "object" << patch.control[5].x << patch.control[5].y
                                 << patch.control[5].z << "->" << f.fraction << w.x << w.y << w.z)
@@ -152,7 +152,7 @@ TEST(Vectors, Views) {
             p = {near(v.target.x), near(v.target.y), near(v.target.z)};
             line << p.x << p.y << p.z;
         }
-        raster::fit_depth(v, raster::depth_range(v, {&patch, 1}));
+        raster::fit_depth(v, raster::depth_range(v, std::span(&patch, 1)));
         lines.push_back((line << "->" << v.near_depth << v.far_depth).text());
     }
     check_vectors("views",

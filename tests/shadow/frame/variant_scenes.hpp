@@ -12,25 +12,52 @@
 
 namespace umbra78::shadow::test {
 
-// The figures' four spheres; `floor` has a plane of 6 by 6 units with them.
+// The figures' four spheres; `floor` has a plane of 6 by 6 units with them. `mesh` has the first
+// sphere, and as facets such a floor, an octahedron with normals and a roof.
 struct VariantScene {
     std::vector<raster::Patch> patches;
+    std::vector<raster::World> vertices;
+    std::vector<std::array<std::int32_t, 3>> normals;
+    std::vector<raster::Facet> facets;
     std::array<raster::Material, 1> materials{figure_material};
 
     explicit VariantScene(const std::string& name) {
         const FigurePatches spheres = figure_patches();
         patches.assign(spheres.begin(), spheres.end());
-        if (name == "floor")
+        if (name == "mesh")
+            make_mesh();
+        else if (name == "floor")
             patches.push_back(raster::plane_patch(
                 {{-3 * 65536, -127795, 3 * 65536}, {6 * 65536, 0, 0}, {0, 0, -6 * 65536}, 0}));
         else
             EXPECT_EQ(name, "spheres");
     }
     Scene scene(const std::string& observer, const std::string& light) const {
-        return {patches, materials, view(observer), {{view(light)}}};
+        return {patches, materials, view(observer), {{view(light)}}, 1, mesh()};
     }
+    raster::Mesh mesh() const { return {vertices, normals, facets}; }
 
 private:
+    void make_mesh() {
+        patches.resize(raster::patches_per_sphere);
+        vertices = {{-196608, -127795, 196608}, {196608, -127795, 196608},
+                    {196608, -127795, -196608}, {-196608, -127795, -196608}};
+        facets = {{{0, 1, 2}}, {{0, 2, 3}}, {{10, 11, 12}}};
+        const raster::World centre{62259, 20000, 19661};
+        constexpr std::int32_t radius = 70000, one = 16384;
+        for (const auto& n : {std::array{one, 0, 0}, {-one, 0, 0}, {0, one, 0}, {0, -one, 0},
+                              {0, 0, one}, {0, 0, -one}}) {
+            normals.push_back(n);
+            vertices.push_back({centre.x + n[0] / one * radius, centre.y + n[1] / one * radius,
+                                centre.z + n[2] / one * radius});
+        }
+        for (std::uint32_t k = 0; k < 8; ++k) {
+            const std::uint32_t x = k & 1, y = 2 + (k >> 1 & 1), z = 4 + (k >> 2);
+            facets.push_back({{4 + x, 4 + y, 4 + z}, {x, y, z}});
+        }
+        vertices.insert(vertices.end(), {{-150000, 110000, -90000}, {170000, 130000, -120000},
+                                         {-20000, 122000, 100000}});
+    }
     struct Place {
         int azimuth, elevation;  // degrees
         std::int32_t extent;
@@ -58,7 +85,7 @@ private:
     raster::View in_depths(raster::View v, std::int32_t near, std::int32_t far) const {
         v.near_depth = near;
         v.far_depth = far;
-        if (near == far) raster::fit_depth(v, raster::depth_range(v, patches));
+        if (near == far) raster::fit_depth(v, raster::depth_range(v, raster::Surfaces{patches, mesh()}));
         return v;
     }
 

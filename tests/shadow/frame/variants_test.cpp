@@ -98,7 +98,8 @@ void expect_variant(const std::vector<std::string>& row, const Settings& setting
     const test::VariantScene scene(row[1]);
     const test::Frame<Depth> f(scene.scene(row[2], row[3]), settings);
     ASSERT_EQ(f.status, FrameStatus::ok);
-    EXPECT_EQ(f.counts.lights[0].map.unresolved + f.counts.observer.unresolved, 0u);
+    for (const raster::DrawCounts& c : {f.counts.lights[0].map, f.counts.observer})
+        EXPECT_EQ(c.unresolved + c.unresolved_facets, 0u);
     for (const std::string& buffer : split(row[5]))
         expect_documented("| " + row[0] + " | " + buffer + " | `" +
                           buffer_hash(f, buffer, settings.machine.size_px()) + "` |");

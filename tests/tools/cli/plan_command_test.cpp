@@ -31,7 +31,7 @@ TEST_F(Program, PlanSaysWhatIsLeftOutAndWhy) {
     const json report = parse_json(ran.out);
     ASSERT_EQ(report["omissions"].size(), shadow::omission_count);
     EXPECT_EQ(report["visible_pixels"], 106772);
-    EXPECT_EQ(report["patches_outside_light"], 0);
+    EXPECT_EQ(report["surfaces_outside_light"], 0);
     std::uint64_t saved = 0, cycles = 0;
     for (const json& row : report["omissions"])
         saved += row["saved_cycles"].get<std::uint64_t>();
@@ -64,10 +64,10 @@ TEST_F(Program, PlanPrintsATable) {
 TEST_F(Program, PlanOfALightThatMeetsNothing) {
     const json report = parse_json(
         run("plan " + scenes + "figures.toml --set light.target=[20,0,0] --json").out);
-    EXPECT_EQ(report["patches_outside_light"], 128);
+    EXPECT_EQ(report["surfaces_outside_light"], 128);
     for (const char* key : {"light_map", "post_process", "dequantize", "low_pass", "composite"})
         EXPECT_TRUE(omission(report, key)["left_out"]) << key;
-    EXPECT_EQ(omission(report, "light_map")["why"], "every patch lies outside the light's view");
+    EXPECT_EQ(omission(report, "light_map")["why"], "every surface lies outside the light's view");
     ASSERT_EQ(report["warnings"].size(), 2u);
     EXPECT_EQ(report["warnings"][0]["key"], "light_window");
     EXPECT_EQ(report["warnings"][1]["key"], "bias");

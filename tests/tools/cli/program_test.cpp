@@ -23,12 +23,12 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, trace, bands, study, settings, --help, --version; see "
-                       "umbra78 --help"},
+                       "animate, cycles, trace, bands, study, model, settings, --help, --version; "
+                       "see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, trace, bands, study, settings, --help, --version; see "
-                      "umbra78 --help"},
+                      "animate, cycles, trace, bands, study, model, settings, --help, --version; "
+                      "see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
@@ -134,7 +134,7 @@ TEST_F(Program, EveryHelpHasAnExample) {
     for (const char* command : {"", "figures ", "render ", "plan ", "animate ", "cycles ",
                                 "trace ", "bands ", "study ", "study error-time ",
                                 "study precision ", "study merge ", "study verify ",
-                                "settings "}) {
+                                "model ", "settings "}) {
         const Ran ran = run(std::string(command) + "--help");
         EXPECT_EQ(ran.exit_code, 0);
         EXPECT_EQ(ran.err, "");

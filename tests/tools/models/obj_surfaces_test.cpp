@@ -32,7 +32,7 @@ std::string surface(const std::string& type, const std::string& range, int nu, i
            "\nparm u" + u + "\nparm v" + v + "\nend\n";
 }
 
-Model surfaces_of(const std::string& text) {
+ModelData surfaces_of(const std::string& text) {
     ModelResult result = read_model(text, "a.obj");
     EXPECT_EQ(result.error, "") << text;
     return std::move(result.model);
@@ -43,7 +43,7 @@ std::array<std::int64_t, 3> units(const ModelPoint& p) {
 }
 
 TEST(ObjSurfaces, BezierSurfacesOfSeveralPatches) {
-    const Model model = surfaces_of(surface("bezier", "0 2 0 1", 7, 4, " 0 1 2", " 0 1"));
+    const ModelData model = surfaces_of(surface("bezier", "0 2 0 1", 7, 4, " 0 1 2", " 0 1"));
     ASSERT_EQ(model.patches.size(), 2u);
     for (std::size_t n = 0; n < 16; ++n) {
         const auto i = static_cast<std::int64_t>(n % 4), j = static_cast<std::int64_t>(n / 4);
@@ -56,8 +56,8 @@ TEST(ObjSurfaces, BezierSurfacesOfSeveralPatches) {
 // Ends of knots that are repeated four times make a Bezier surface.
 TEST(ObjSurfaces, ABsplineWithRepeatedEndKnotsIsItsBezierSurface) {
     const std::string ends = " 0 0 0 0 7.5 7.5 7.5 7.5";
-    const Model model = surfaces_of(surface("bspline", "0 7.5 0 7.5", 4, 4, ends, ends));
-    const Model bezier = surfaces_of(surface("bezier", "0 1 0 1", 4, 4, " 0 1", " 0 1"));
+    const ModelData model = surfaces_of(surface("bspline", "0 7.5 0 7.5", 4, 4, ends, ends));
+    const ModelData bezier = surfaces_of(surface("bezier", "0 1 0 1", 4, 4, " 0 1", " 0 1"));
     ASSERT_EQ(model.patches.size(), 1u);
     EXPECT_EQ(model.patches[0], bezier.patches[0]);
 }
@@ -77,7 +77,7 @@ TEST(ObjSurfaces, UniformBsplinesHaveTheKnownWeights) {
 
 TEST(ObjSurfaces, UniformBsplinesAreRoundedOnce) {
     const std::string knots5 = " 0 1 2 3 4 5 6 7 8", knots4 = " -3 -2 -1 0 1 2 3 4";
-    const Model model = surfaces_of(surface("bspline", "3 5 0 1", 5, 4, knots5, knots4));
+    const ModelData model = surfaces_of(surface("bspline", "3 5 0 1", 5, 4, knots5, knots4));
     ASSERT_EQ(model.patches.size(), 2u);
     const int sixths[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
     for (std::size_t patch = 0; patch < 2; ++patch)
@@ -102,10 +102,10 @@ TEST(ObjSurfaces, UniformBsplinesAreRoundedOnce) {
 
 // A tenth has no exact word, but knots a tenth apart are evenly spaced.
 TEST(ObjSurfaces, KnotsAreDecimals) {
-    const Model tenths = surfaces_of(surface("bspline", "-0.1 0.0 0.3 .4", 4, 4,
+    const ModelData tenths = surfaces_of(surface("bspline", "-0.1 0.0 0.3 .4", 4, 4,
                                       " -0.4 -0.3 -0.2 -0.1 0 0.1 0.2 0.3",
                                       " 0 0.1 0.2 0.3 0.4 0.5 0.6 0.7"));
-    const Model ones = surfaces_of(surface("bspline", "3 4 3 4", 4, 4, " 0 1 2 3 4 5 6 7",
+    const ModelData ones = surfaces_of(surface("bspline", "3 4 3 4", 4, 4, " 0 1 2 3 4 5 6 7",
                                     " 0 1 2 3 4 5 6 7"));
     ASSERT_EQ(tenths.patches.size(), 1u);
     EXPECT_EQ(tenths.patches[0], ones.patches[0]);

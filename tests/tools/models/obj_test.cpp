@@ -9,13 +9,13 @@ namespace {
 
 using Facets = std::vector<std::array<std::uint32_t, 3>>;
 
-Model read(const std::string& text) {
+ModelData read(const std::string& text) {
     ModelResult result = read_model(text, "a.obj");
     EXPECT_EQ(result.error, "") << text;
     return std::move(result.model);
 }
 
-Facets vertices_of(const Model& model) {
+Facets vertices_of(const ModelData& model) {
     Facets facets;
     for (const raster::Facet& facet : model.facets) facets.push_back(facet.vertex);
     return facets;
@@ -24,7 +24,7 @@ Facets vertices_of(const Model& model) {
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(Obj, VerticesAreExactWordsAndFacesTriangles) {
-    const Model model =
+    const ModelData model =
         read(square + "v .5 -2.5e-1 5. 0.7\nv 0 0 1 0.2 0.3 0.4\nf 1 2 3\nf 5 6 1\n");
     ASSERT_EQ(model.vertices.size(), 5u);  // the fourth is not used
     EXPECT_EQ(model.vertices[3].word,
@@ -39,13 +39,13 @@ TEST(Obj, VerticesAreExactWordsAndFacesTriangles) {
 TEST(Obj, CornersInEveryNotation) {
     const std::string head = square + "vt 0 0\nvn 0 0 1\nvn 0 0 -1\n";
     for (const char* face : {"f 1 2 3", "f 1/1 2/1 3/1", "f -4 -3 -2", "f -4/-1 -3/1 -2/7"}) {
-        const Model model = read(head + face);
+        const ModelData model = read(head + face);
         EXPECT_EQ(vertices_of(model), (Facets{{0, 1, 2}})) << face;
         EXPECT_EQ(model.facets[0].normal[2], raster::Facet::flat) << face;
         EXPECT_TRUE(model.normals.empty());
     }
     for (const char* face : {"f 1//2 2//2 3//2", "f 1/1/2 2/1/2 3/1/2", "f -4//-1 -3//-1 -2//-1"}) {
-        const Model model = read(head + face);
+        const ModelData model = read(head + face);
         ASSERT_EQ(model.normals.size(), 1u) << face;  // the other is not used
         EXPECT_EQ(model.normals[0].word[2], -model_one);
         EXPECT_EQ(model.facets[0].normal, (std::array<std::uint32_t, 3>{0, 0, 0})) << face;
@@ -69,7 +69,7 @@ TEST(Obj, LinesMayEndWithCrlfGoOnAndHoldComments) {
 }
 
 TEST(Obj, WhatIsNoSurfaceIsCounted) {
-    const Model model = read(square + "l 1 2\np 1\np 2 3\nf 1 2 3\nf 1 1 2\nf 2 3 2\n");
+    const ModelData model = read(square + "l 1 2\np 1\np 2 3\nf 1 2 3\nf 1 1 2\nf 2 3 2\n");
     EXPECT_EQ(model.lines_and_points, 3u);
     EXPECT_EQ(model.no_area, 2u);
     EXPECT_EQ(model.facets.size(), 1u);

@@ -27,7 +27,7 @@ std::optional<std::string> packaged(const std::string& path) {
     return text_of((root ? root : "") + ("/usr/share/" + path));
 }
 
-Model tea_pot(const char* name) {
+ModelData tea_pot(const char* name) {
     const auto text = text_of(std::string(UMBRA78_SOURCE_DIR "/tools/scenes/models/") + name);
     return read_model(text.value_or(""), name).model;
 }
@@ -40,7 +40,7 @@ TEST(Packages, GeomviewsTeapot) {
     const ModelResult bez = read_model(*text, "teapot.bez");
     ASSERT_TRUE(bez.ok()) << bez.error;
     // Its x are 0.5 + x / 4 of Newell's, in six digits.
-    const auto all_x = [](const Model& model, double scale, double shift) {
+    const auto all_x = [](const ModelData& model, double scale, double shift) {
         std::vector<double> xs;
         for (const ModelPatch& patch : model.patches)
             for (const ModelPoint& p : patch) xs.push_back(unit(p.word[0]) * scale + shift);

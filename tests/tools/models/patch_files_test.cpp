@@ -4,14 +4,14 @@
 namespace umbra78::tools::test {
 namespace {
 
-Model read(const std::string& text, const std::string& name) {
+ModelData read(const std::string& text, const std::string& name) {
     ModelResult result = read_model(text, name);
     EXPECT_EQ(result.error, "") << name;
     return std::move(result.model);
 }
 
 // Patch k of patch_points(k).
-void expect_patches(const Model& model, std::size_t count) {
+void expect_patches(const ModelData& model, std::size_t count) {
     ASSERT_EQ(model.patches.size(), count);
     for (std::size_t k = 0; k < count; ++k)
         for (std::size_t n = 0; n < 16; ++n) {
@@ -51,7 +51,7 @@ TEST(PatchFiles, EveryFormatHoldsTheSamePatches) {
 }
 
 TEST(PatchFiles, PointsKnowTheirLines) {
-    const Model model = read(two_bpt, "a.bpt");
+    const ModelData model = read(two_bpt, "a.bpt");
     EXPECT_EQ(model.patches[0][0].line, 3);
     EXPECT_EQ(model.patches[1][15].line, 35);
     EXPECT_EQ(read(two_tea(), "a.tea").patches[1][0].line, 21);
@@ -82,14 +82,14 @@ TEST(PatchFiles, CoordinatesAreExactWords) {
         {"0.000000000349245965480804443359375", 2},      // 3 2^-33: a tie, to the even 2
     };
     for (const auto& [text, word] : cases) {
-        const Model model =
+        const ModelData model =
             read("1\n3 3\n" + std::string(text) + repeated(" 0", 47) + "\n", "a.bpt");
         EXPECT_EQ(model.patches[0][0].word[0], word) << text;
     }
 }
 
 TEST(PatchFiles, DegeneratePatchesAreTakenAsTheyAre) {
-    const Model model = read("1\n3 3\n" + repeated("1 2 3\n", 16), "a.bpt");
+    const ModelData model = read("1\n3 3\n" + repeated("1 2 3\n", 16), "a.bpt");
     for (const ModelPoint& point : model.patches.at(0)) EXPECT_EQ(point, model.patches[0][0]);
 }
 

@@ -14,15 +14,15 @@ using raster::Facet;
 
 Rational power_of_two(int n) { return Rational(std::int64_t{1} << n); }
 
-PlacedModel placed_or_fail(const Model& model, const ModelPlacing& how) {
+PlacedModel placed_or_fail(const ModelData& model, const ModelPlacing& how) {
     FirstError error;
     PlacedModel placed = place_model(model, how, "change it", error);
     EXPECT_EQ(error.line(), "");
     return placed;
 }
 
-Model one_point(const std::array<std::int64_t, 3>& word) {
-    Model model;
+ModelData one_point(const std::array<std::int64_t, 3>& word) {
+    ModelData model;
     model.name = "a.tea";
     model.vertices = {{.word = word, .line = 7}};
     return model;
@@ -111,7 +111,7 @@ TEST(PlaceModel, APointOutsideTheWorldIsNamedByItsLine) {
     EXPECT_TRUE(far.any());
 }
 
-Model from_obj(const std::string& text) {
+ModelData from_obj(const std::string& text) {
     ModelResult result = read_model(text, "a.obj");
     EXPECT_EQ(result.error, "");
     return std::move(result.model);
@@ -120,7 +120,7 @@ Model from_obj(const std::string& text) {
 // The upper half of an octahedron: at the tip the sum of four normals, whose horizontal parts
 // cancel; at the others two.
 TEST(PlaceModel, NormalsOfVerticesAreSumsOfTheirFacets) {
-    const Model tent = from_obj("v 1 0 0\nv 0 0 -1\nv -1 0 0\nv 0 0 1\nv 0 1 0\n"
+    const ModelData tent = from_obj("v 1 0 0\nv 0 0 -1\nv -1 0 0\nv 0 0 1\nv 0 1 0\n"
                                 "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
     ModelPlacing how;
     const PlacedModel smooth = placed_or_fail(tent, how);

@@ -13,7 +13,7 @@ namespace {
 
 using WordsOfPoint = std::array<std::int64_t, 3>;
 
-Model tea_set(const std::string& name) {
+ModelData tea_set(const std::string& name) {
     std::ifstream file(UMBRA78_SOURCE_DIR "/tools/scenes/models/" + name, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     ModelResult result = read_model(text, name);
@@ -28,14 +28,14 @@ std::vector<WordsOfPoint> points_of(const ModelPatch& patch) {
     return points;
 }
 
-std::set<std::vector<WordsOfPoint>> patches_of(const Model& model) {
+std::set<std::vector<WordsOfPoint>> patches_of(const ModelData& model) {
     std::set<std::vector<WordsOfPoint>> patches;
     for (const ModelPatch& patch : model.patches) patches.insert(points_of(patch));
     return patches;
 }
 
 // The same patches with one coordinate negated.
-Model mirrored(Model model, std::size_t axis) {
+ModelData mirrored(ModelData model, std::size_t axis) {
     for (ModelPatch& patch : model.patches)
         for (ModelPoint& point : patch) point.word[axis] = -point.word[axis];
     return model;
@@ -51,15 +51,15 @@ TEST(TeaSet, HasAsManyPatchesAsPublished) {
 // The pot is its own mirror image, patch by patch and word by word.
 TEST(TeaSet, ThePotIsSymmetric) {
     for (const char* name : {"teapot.tea", "teapot32.tea"}) {
-        const Model pot = tea_set(name);
+        const ModelData pot = tea_set(name);
         EXPECT_EQ(patches_of(mirrored(pot, 1)), patches_of(pot)) << name;
     }
-    const Model cup = tea_set("teacup.tea");
+    const ModelData cup = tea_set("teacup.tea");
     EXPECT_EQ(patches_of(mirrored(cup, 2)), patches_of(cup));
 }
 
 TEST(TeaSet, TheBottomIsAddedToThePotAsPublished) {
-    const Model pot = tea_set("teapot.tea"), whole = tea_set("teapot32.tea");
+    const ModelData pot = tea_set("teapot.tea"), whole = tea_set("teapot32.tea");
     for (std::size_t k = 0; k < pot.patches.size(); ++k)
         EXPECT_EQ(whole.patches[k], pot.patches[k]) << k;
     // The edge of the bottom is the lower edge of the body.

@@ -1,6 +1,6 @@
 // The OBJ reader beside tinyobjloader, which reads coordinates as float: the same vertices in the
-// same order, and as many triangles. It counts a face's corners in a byte, so faces of more than 255
-// corners, as in assimp's box_longline.obj, cannot be compared.
+// same order, and as many triangles. It counts a face's corners in a byte, so faces of more than
+// 255 corners, as in assimp's box_longline.obj, cannot be compared.
 #include "tests/tools/models/model_texts.hpp"
 
 #ifdef UMBRA78_TINYOBJ

@@ -1,0 +1,233 @@
+#include "raster/facet.hpp"
+
+#include "fixed/overflow.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace umbra78::raster {
+namespace {
+
+using fixed::Rounding;
+
+std::uint64_t word(std::int64_t v) { return static_cast<std::uint64_t>(v); }
+
+// How far a place lies within plane k of the band: even ones limit X + limit W, odd ones limit W - X
+// of the axes Z, X, Y. Words of 55 bits and limits of 31 leave it in 63 bits.
+constexpr std::size_t planes = 6;
+
+std::int64_t within(const ScreenPlace& p, const GuardBand& band, std::size_t plane) {
+    constexpr std::array<std::size_t, 3> axes{2, 0, 1};
+    const std::size_t axis = axes[plane / 2];
+    const std::int64_t limit = band[axis] * p[3];
+    return plane % 2 == 0 ? limit + p[axis] : limit - p[axis];
+}
+
+unsigned outside(const ScreenPlace& p, const GuardBand& band) {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < planes; ++k) bits |= within(p, band, k) < 0 ? 1u << k : 0u;
+    return bits;
+}
+
+// from + half_up((to - from) part / whole), 0 <= part <= whole.
+std::int64_t between(std::int64_t from, std::int64_t to, std::int64_t part, std::int64_t whole) {
+    const std::int64_t way = to - from;
+    const fixed::QuotientRemainder q = fixed::divide_wide(
+        fixed::multiply_wide(fixed::magnitude(way), word(part)), word(whole));
+    const std::uint64_t rest = 2 * q.remainder;
+    const bool up = way < 0 ? rest > word(whole) : rest >= word(whole);
+    const auto step = static_cast<std::int64_t>(q.quotient + (up ? 1 : 0));
+    return way < 0 ? from - step : from + step;
+}
+
+FacetVertex crossing(const FacetVertex& inner, std::int64_t inside, const FacetVertex& outer,
+                     std::int64_t beyond) {
+    FacetVertex v;
+    const auto all = [&](auto FacetVertex::*member) {
+        for (std::size_t k = 0; k < (v.*member).size(); ++k)
+            (v.*member)[k] =
+                between((inner.*member)[k], (outer.*member)[k], inside, inside - beyond);
+    };
+    all(&FacetVertex::screen);
+    all(&FacetVertex::world);
+    all(&FacetVertex::normal);
+    return v;
+}
+
+// The part of a polygon within a plane, from its first vertex on (Sutherland and Hodgman, 1974).
+FacetPolygon cut_by(const FacetPolygon& p, const GuardBand& band, std::size_t plane) {
+    FacetPolygon out;
+    for (std::size_t k = 0; k < p.count; ++k) {
+        const FacetVertex &here = p.vertex[k], &next = p.vertex[(k + 1) % p.count];
+        const std::int64_t d = within(here.screen, band, plane);
+        const std::int64_t e = within(next.screen, band, plane);
+        if (d >= 0) out.vertex[out.count++] = here;
+        if (d >= 0 && e < 0) out.vertex[out.count++] = crossing(here, d, next, e);
+        if (d < 0 && e >= 0) out.vertex[out.count++] = crossing(next, e, here, d);
+    }
+    return out;
+}
+
+WideVector weighted(const std::array<std::int64_t, 3>& t, const WideVector& a, const WideVector& b,
+                    const WideVector& c) {
+    WideVector sum{};
+    for (std::size_t k = 0; k < 3; ++k) sum[k] = t[0] * a[k] + t[1] * b[k] + t[2] * c[k];
+    return sum;
+}
+
+WideVector minus(const WideVector& a, const WideVector& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+WideVector wide(const UnitVector& u) { return {u[0], u[1], u[2]}; }
+
+// The words less as many low bits as bring the largest to `bits` bits.
+std::array<std::int64_t, 3> cut_to(const std::array<std::int64_t, 3>& v, int bits) {
+    const std::int64_t largest = std::max({v[0], v[1], v[2]});
+    const int down = std::max(0, static_cast<int>(std::bit_width(word(largest))) - bits);
+    return {fixed::floor_shift(v[0], down), fixed::floor_shift(v[1], down),
+            fixed::floor_shift(v[2], down)};
+}
+
+}  // namespace
+
+GuardBand guard_band(const MachineSpec& spec, bool affine) {
+    const int fraction = spec.depth_fraction();
+    if (!affine) {
+        const std::int64_t margin = fraction >= 0 ? 1 : std::int64_t{1} << -fraction;
+        return {guard_px, guard_px, spec.half_px() + margin};
+    }
+    const std::int64_t margin = fraction >= 0 ? std::int64_t{1} << fraction : 1;
+    return {guard_px * pixel_units, guard_px * pixel_units,
+            (spec.depth_offset() + margin) << depth_guard(spec)};
+}
+
+bool FacetPolygon::clip(const GuardBand& band, bool& cut) {
+    unsigned any = 0, all = ~0u;
+    for (std::size_t k = 0; k < count; ++k) {
+        const unsigned bits = outside(vertex[k].screen, band);
+        any |= bits;
+        all &= bits;
+    }
+    cut = any != 0;
+    if (all != 0) return false;
+    for (std::size_t plane = 0; cut && plane < planes && count > 0; ++plane)
+        *this = cut_by(*this, band, plane);
+    return count >= 3;
+}
+
+// How much of the sample is each corner's: the edges' values there over the area, in perspective
+// each times the other corners' W.
+FacetShading::Weights FacetShading::weights(const Sample& s) const {
+    const auto& [a, b, c] = triangle_.screen;
+    const std::int64_t sign = detail::turn(a, b, c.x, c.y) < 0 ? -1 : 1;
+    const auto e = cut_to({sign * detail::turn(b, c, s.x, s.y), sign * detail::turn(c, a, s.x, s.y),
+                           sign * detail::turn(a, b, s.x, s.y)},
+                          24);
+    const auto& v = triangle_.vertex;
+    auto w = cut_to({v[0]->screen[3], v[1]->screen[3], v[2]->screen[3]}, 14);
+    for (std::int64_t& k : w) k = std::max<std::int64_t>(k, 1);
+    const std::int64_t of_a = e[0] * w[1] * w[2], of_b = e[1] * w[2] * w[0],
+                       of_c = e[2] * w[0] * w[1];
+    const auto part = [&](std::int64_t of) {
+        return fixed::round_divide(1024 * of, of_a + of_b + of_c, Rounding::half_up);
+    };
+    const std::int64_t tb = part(of_b), tc = part(of_c);
+    return {1024 - tb - tc, tb, tc};
+}
+
+const UnitVector& FacetShading::side() const {
+    if (!side_)
+        side_ = unit_vector(cross(minus(facet_[1], facet_[0]), minus(facet_[2], facet_[0])));
+    return *side_;
+}
+
+Shade FacetShading::shade(const Sample& s, bool in_shadow) const {
+    UnitVector light = spec_.light.direction, viewer = spec_.viewer.direction;
+    Weights t{1024, 0, 0};
+    const auto& v = triangle_.vertex;
+    if (!flat_ || spec_.light.to_point || spec_.viewer.to_point) t = weights(s);
+    if (spec_.light.to_point || spec_.viewer.to_point) {
+        const WideVector place = weighted(t, v[0]->world, v[1]->world, v[2]->world);
+        light = direction(spec_.light, place);
+        viewer = direction(spec_.viewer, place);
+    }
+    const WideVector own = wide(side());
+    WideVector n = flat_ ? own : weighted(t, v[0]->normal, v[1]->normal, v[2]->normal);
+    // The normal is turned to the facet's side that the viewer sees.
+    if ((dot(n, own) < 0) != (dot(own, wide(viewer)) < 0))
+        for (std::int64_t& k : n) k = -k;
+    return raster::shade(cosines(n, light, viewer), spec_, material_, in_shadow);
+}
+
+FacetWalk::FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,
+                     hw::UnitWork work, bool shades)
+    : spec_(spec), unit_(spec, matrix, object, work), object_(object), shades_(shades),
+      band_(guard_band(spec, matrix.affine)) {}
+
+FacetWalk::Outcome FacetWalk::project(const Mesh& mesh, const Facet& facet) {
+    const bool affine = unit_.matrix().affine;
+    polygon_.count = 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+        fixed::require(facet.vertex[k] < mesh.vertices.size(), "facet: no such vertex");
+        const hw::Words words = to_object_words(mesh.vertices[facet.vertex[k]], object_);
+        FacetVertex& v = polygon_.vertex[k];
+        v.screen = affine ? affine_place(unit_, words)
+                          : homogeneous_place(words, unit_.matrix(), spec_, object_);
+        if (!shades_) continue;
+        v.world = {std::int64_t{words.x} * (1 << object_guard),
+                   std::int64_t{words.y} * (1 << object_guard),
+                   std::int64_t{words.z} * (1 << object_guard)};
+        facet_[k] = v.world;
+        if (facet.normal[k] == Facet::flat) continue;
+        fixed::require(facet.normal[k] < mesh.normals.size(), "facet: no such normal");
+        v.normal = wide(mesh.normals[facet.normal[k]]);
+    }
+    bool cut = false;
+    if (!polygon_.clip(band_, cut)) return Outcome::outside;
+    for (std::size_t k = 0; k < polygon_.count; ++k)
+        if (!to_corner(polygon_.vertex[k].screen, corner_[k])) return Outcome::unresolved;
+    return cut ? Outcome::cut : Outcome::ready;
+}
+
+// Within the band every quotient fits; only W may have none.
+bool FacetWalk::to_corner(const ScreenPlace& p, Corner& out) const {
+    const auto narrow = [](std::int64_t v) { return static_cast<std::int32_t>(v); };
+    if (unit_.matrix().affine) {
+        out = {narrow(p[0]), narrow(p[1]), narrow(p[2])};
+        return true;
+    }
+    const auto quotient = [&](std::size_t axis, int fraction) {
+        return fixed::divide(p[axis], p[3], fraction, 31, Rounding::half_up);
+    };
+    const fixed::Quotient x = quotient(0, raster_fraction), y = quotient(1, raster_fraction);
+    const fixed::Quotient z = quotient(2, spec_.depth_fraction() + depth_guard(spec_));
+    for (const fixed::Quotient& q : {x, y, z})
+        if (q.status != fixed::DivideStatus::ok) return false;
+    out = {narrow(x.value), narrow(y.value), narrow(z.value)};
+    return true;
+}
+
+bool FacetWalk::footprint(Footprint& out) const {
+    ScreenBounds bounds{};
+    const auto [first, last] = std::pair(corner_.begin(), corner_.begin() + polygon_.count);
+    const auto hold = [&](Bounds& b, std::int32_t Corner::*member) {
+        const auto [min, max] = std::minmax_element(
+            first, last, [&](const Corner& p, const Corner& q) { return p.*member < q.*member; });
+        b.min = (*min).*member;
+        b.max = (*max).*member;
+    };
+    hold(bounds[0], &Corner::x);
+    hold(bounds[1], &Corner::y);
+    hold(bounds[2], &Corner::z);
+    if (block_action(bounds, spec_) == BlockAction::outside) return false;
+    out = raster::footprint(bounds, spec_);
+    return true;
+}
+
+FacetTriangle FacetWalk::triangle(std::size_t k) const {
+    return {{&polygon_.vertex[0], &polygon_.vertex[k + 1], &polygon_.vertex[k + 2]},
+            {corner_[0], corner_[k + 1], corner_[k + 2]}};
+}
+
+}  // namespace umbra78::raster

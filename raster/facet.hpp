@@ -1,0 +1,108 @@
+// Facets: the triangles of a mesh on their way to the screen, and their shading there
+// (hw/MACHINE.md, section 21).
+//
+//   vertices --transform unit--> places in the view --clip to the guard band--> a convex polygon
+//   --divide in perspective--> corners in raster units --fan--> triangles (triangle.hpp)
+//
+// The guard band is far wider than the frame, so that only what reaches far out of the picture, to
+// the eye or out of the depth range is cut. Where an edge is cut depends on its two ends alone, so
+// facets that share an edge are cut at the same place and leave no crack.
+//
+// A facet is shaded at the pixel's centre, by its corners' normals weighted by nearness (Phong
+// 1975), or by its own normal if it is flat. Which side is seen is the facet's own side.
+// Not emulated: vertices that facets share are transformed for each facet anew, as by a machine
+// that keeps none.
+#pragma once
+
+#include "raster/footprint.hpp"
+#include "raster/projection.hpp"
+#include "raster/shading.hpp"
+#include "raster/triangle.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace umbra78::raster {
+
+struct FacetVertex {
+    ScreenPlace screen{};  // affine: raster units and 1; perspective: X, Y, Z, W
+    WideVector world{};    // object words with guard bits
+    WideVector normal{};   // Q1.14
+};
+
+// |X| <= limit[0] W and so on; W is 1 where the view is affine.
+using GuardBand = std::array<std::int64_t, 3>;
+inline constexpr std::int64_t guard_px = 1 << 14;
+GuardBand guard_band(const MachineSpec& spec, bool affine);
+
+// Three vertices, and one more for each of the six planes that may cut them.
+struct FacetPolygon {
+    std::array<FacetVertex, 9> vertex;
+    std::size_t count = 0;
+
+    // Cuts it to the guard band: near and far, then left, right, top and bottom. False if nothing
+    // is left. `cut` says whether a vertex lay outside.
+    bool clip(const GuardBand& band, bool& cut);
+};
+
+// A triangle of a polygon. It refers to the polygon's vertices.
+struct FacetTriangle {
+    std::array<const FacetVertex*, 3> vertex;
+    std::array<Corner, 3> screen;
+};
+
+// A triangle's shading. What it refers to outlives it.
+class FacetShading {
+public:
+    // `facet`: the three vertices as the mesh gives them. `flat`: the facet has no normals.
+    FacetShading(const FacetTriangle& triangle, const std::array<WideVector, 3>& facet, bool flat,
+                 const ShadingSpec& spec, const Material& material)
+        : triangle_(triangle), facet_(facet), flat_(flat), spec_(spec), material_(material) {}
+
+    // At a covered pixel's centre, lit or in the shadow of something else.
+    Shade shade(const Sample& s, bool in_shadow) const;
+
+private:
+    using Weights = std::array<std::int64_t, 3>;  // of 1024
+    Weights weights(const Sample& s) const;
+    const UnitVector& side() const;
+
+    const FacetTriangle& triangle_;
+    const std::array<WideVector, 3>& facet_;
+    bool flat_;
+    const ShadingSpec& spec_;
+    const Material& material_;
+    mutable std::optional<UnitVector> side_;  // the facet's own normal, made when it is needed
+};
+
+// Everything of a facet but its samples.
+class FacetWalk {
+public:
+    FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,
+              hw::UnitWork work, bool shades);
+
+    enum class Outcome : std::uint8_t { ready, cut, outside, unresolved };
+    Outcome project(const Mesh& mesh, const Facet& facet);
+
+    // Of the facet that was projected last, if it is ready or cut:
+    bool footprint(Footprint& out) const;  // false if it lies outside the cube
+    std::size_t triangles() const { return polygon_.count - 2; }
+    FacetTriangle triangle(std::size_t k) const;
+    const std::array<WideVector, 3>& facet() const { return facet_; }
+
+private:
+    bool to_corner(const ScreenPlace& place, Corner& out) const;
+
+    MachineSpec spec_;
+    hw::TransformUnit unit_;
+    WordFormat object_;
+    bool shades_;
+    GuardBand band_;
+    FacetPolygon polygon_;
+    std::array<Corner, 9> corner_{};
+    std::array<WideVector, 3> facet_{};
+};
+
+}  // namespace umbra78::raster
