@@ -44,7 +44,7 @@ std::int32_t azimuth_q16(const raster::View& view) {
 }
 
 void check(const LoadedScene& scene) {
-    require(scene.planes.empty() && scene.free_patches == 0 && !scene.spheres.empty(),
+    require(scene.planes.empty() && scene.has_closed_form() && !scene.spheres.empty(),
             "spheres alone");
     for (const raster::Sphere& s : scene.spheres) require(s.material == 0, "one material");
     for (const raster::View& v : {scene.observer, scene.light})

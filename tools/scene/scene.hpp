@@ -34,6 +34,8 @@ struct LoadedScene {
     shadow::Settings settings;           // the file's, with the overrides applied
     Warnings warnings;                   // a caster outside the light's volume, ...
 
+    // Whether exact truth has a closed form: spheres and planes alone.
+    bool has_closed_form() const { return free_patches == 0 && facets.empty(); }
     raster::Mesh mesh() const { return {vertices, normals, facets}; }
     raster::Surfaces surfaces() const { return {patches, mesh()}; }
     shadow::Scene view() const { return {patches, materials, observer, {{light}}, 1, mesh()}; }

@@ -70,6 +70,9 @@ std::string truth_key(const LoadedScene& scene) {
     if (scene.free_patches > 0)
         for (const raster::Patch& patch : scene.patches)
             for (const raster::World& w : patch.control) key += key_of(w);
+    for (const raster::World& w : scene.vertices) key += key_of(w);
+    for (const raster::Facet& f : scene.facets)
+        key += fmt::format("{} {} {};", f.vertex[0], f.vertex[1], f.vertex[2]);
     return key + key_of(scene.observer) + key_of(scene.light);
 }
 

@@ -5,8 +5,9 @@
 
 namespace umbra78::tools {
 
-int cells_within_budget(std::size_t patches, int cells) {
-    const double quads = static_cast<double>(max_patch_triangles) / 2 /
+int cells_within_budget(std::size_t patches, int cells, std::size_t facets) {
+    const std::size_t left = max_patch_triangles - std::min(facets, max_patch_triangles);
+    const double quads = static_cast<double>(left) / 2 /
                          static_cast<double>(std::max<std::size_t>(patches, 1));
     return std::clamp(static_cast<int>(std::sqrt(quads)), 2, cells);
 }
@@ -43,16 +44,16 @@ struct PatchPoint {
     Real3 at, along_u, along_v;
 };
 
+Real3 real(const raster::World& w) {
+    const auto q16 = [](std::int32_t word) { return std::ldexp(word, -raster::world_fraction); };
+    return {q16(w.x), q16(w.y), q16(w.z)};
+}
+
 struct RealPatch {
     Real3 control[16];  // (i, j) at 4 j + i
 
     explicit RealPatch(const raster::Patch& patch) {
-        const auto q16 = [](std::int32_t word) {
-            return std::ldexp(word, -raster::world_fraction);
-        };
-        for (std::size_t k = 0; k < 16; ++k)
-            control[k] = {q16(patch.control[k].x), q16(patch.control[k].y),
-                          q16(patch.control[k].z)};
+        for (std::size_t k = 0; k < 16; ++k) control[k] = real(patch.control[k]);
     }
 
     PatchPoint point(double u, double v) const {
@@ -106,23 +107,43 @@ struct Release {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
 };
 
-// The triangles, geometry k being patch k.
+// What is traced, in double precision.
+struct RealScene {
+    std::vector<RealPatch> patches;
+    std::vector<Real3> vertices;
+    std::span<const raster::Facet> facets;
+
+    explicit RealScene(const raster::Surfaces& s)
+        : patches(s.patches.begin(), s.patches.end()), facets(s.mesh.facets) {
+        for (const raster::World& w : s.mesh.vertices) vertices.push_back(real(w));
+    }
+    double reach() const {
+        double max = 0;
+        for (const RealPatch& patch : patches) max = std::max(max, patch.reach());
+        for (const Real3& v : vertices)
+            for (const double x : v) max = std::max(max, std::abs(x));
+        return max;
+    }
+};
+
+// The triangles, geometry k being patch k, the last one the mesh.
 class Triangles {
 public:
-    Triangles(std::span<const RealPatch> patches, int cells)
-        : cells_(cells), device_(rtcNewDevice(nullptr)) {
+    Triangles(const RealScene& real, int cells)
+        : cells_(cells), patches_(real.patches.size()), device_(rtcNewDevice(nullptr)) {
         if (!device_) throw std::bad_alloc();
         scene_.reset(rtcNewScene(device_.get()));
         // Rays do not slip through between two triangles.
         rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-        for (const RealPatch& patch : patches) add(patch);
+        for (const RealPatch& patch : real.patches) add(patch);
+        if (!real.facets.empty()) add(real);
         rtcCommitScene(scene_.get());
         if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::bad_alloc();
     }
 
     struct Hit {
-        std::size_t patch;
-        double t, u, v;
+        std::size_t surface;  // a patch, or facets after them
+        double t, u, v;       // u and v of a patch
         Real3 normal;  // of the triangle, any length
     };
 
@@ -138,13 +159,15 @@ public:
         rtcIntersect1(scene_.get(), &hit);
 #endif
         if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+        const Real3 normal{hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z};
+        if (hit.hit.geomID == patches_)
+            return Hit{patches_ + hit.hit.primID, hit.ray.tfar, 0, 0, normal};
         const unsigned cell = hit.hit.primID / 2, columns = static_cast<unsigned>(cells_);
         const double a = hit.hit.u, b = hit.hit.v;
         const bool lower = hit.hit.primID % 2 == 0;
         return Hit{hit.hit.geomID, hit.ray.tfar,
                    (cell % columns + (lower ? a + b : a)) / cells_,
-                   (cell / columns + (lower ? b : a + b)) / cells_,
-                   {hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z}};
+                   (cell / columns + (lower ? b : a + b)) / cells_, normal};
     }
 
     bool blocked(const Ray& ray, double to) const {
@@ -198,12 +221,33 @@ private:
                     *corner++ = k;
             }
         }
+        attach(geometry);
+    }
+
+    void add(const RealScene& real) {
+        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* place = static_cast<float*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    3 * sizeof(float), real.vertices.size()));
+        auto* corner = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(unsigned), real.facets.size()));
+        if (!place || !corner) throw std::bad_alloc();
+        for (const Real3& v : real.vertices)
+            for (const double x : v) *place++ = static_cast<float>(x);
+        for (const raster::Facet& facet : real.facets)
+            for (const std::uint32_t k : facet.vertex) *corner++ = k;
+        attach(geometry);
+    }
+
+    void attach(RTCGeometry geometry) {
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene_.get(), geometry);
         rtcReleaseGeometry(geometry);
     }
 
     int cells_;
+    std::size_t patches_;
     std::unique_ptr<RTCDeviceTy, Release> device_;
     std::unique_ptr<RTCSceneTy, Release> scene_;
 };
@@ -238,6 +282,21 @@ Seen on_patch(const RealPatch& patch, const Triangles::Hit& hit, const Ray& ray,
     return {t, normal};
 }
 
+// Where the ray meets the plane of the facet that it hits.
+Seen on_facet(const RealScene& real, const Triangles::Hit& hit, const Ray& ray) {
+    const auto& [a, b, c] = real.facets[hit.surface - real.patches.size()].vertex;
+    const Real3 n = cross(minus(real.vertices[b], real.vertices[a]),
+                          minus(real.vertices[c], real.vertices[a]));
+    const double nd = dot(n, ray.direction);
+    if (nd == 0 || dot(n, n) == 0) return {hit.t, hit.normal};
+    return {dot(n, minus(real.vertices[a], ray.origin)) / nd, n};
+}
+
+Seen on_surface(const RealScene& real, const Triangles::Hit& hit, const Ray& ray, int cells) {
+    return hit.surface < real.patches.size() ? on_patch(real.patches[hit.surface], hit, ray, cells)
+                                             : on_facet(real, hit, ray);
+}
+
 // How far along the ray to the light the first surface that the light sees there is: the light's
 // own ray is met from outside the scene, or from the light.
 double distance_behind(const Triangles& triangles, const Ray& to_light, bool point, double reach) {
@@ -249,14 +308,13 @@ double distance_behind(const Triangles& triangles, const Ray& to_light, bool poi
     return hit ? away - hit->t : 0;
 }
 
-PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
-                      const TruthLight& light, int cells) {
-    const Triangles triangles(patches, cells);
-    double reach = 0, departure = 0;
-    for (const RealPatch& patch : patches) {
-        reach = std::max(reach, patch.reach());
+PatchTruth trace_once(const RealScene& real, const TruthView& view, const TruthLight& light,
+                      int cells) {
+    const Triangles triangles(real, cells);
+    const double reach = real.reach();
+    double departure = 0;
+    for (const RealPatch& patch : real.patches)
         departure = std::max(departure, patch.departure(cells));
-    }
     PatchTruth made{Truth(view.size), 0, departure + std::ldexp(reach, -20)};
     Truth& truth = made.truth;
     for (std::size_t at = 0; at < truth.visible.size(); ++at) {
@@ -266,11 +324,11 @@ PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
         sight.origin = along(sight.origin, view.near_depth, sight.direction);
         const auto hit = triangles.first(sight, view.far_depth - view.near_depth);
         if (!hit) continue;
-        const Seen seen = on_patch(patches[hit->patch], *hit, sight, cells);
+        const Seen seen = on_surface(real, *hit, sight, cells);
         const Real3 position = along(sight.origin, seen.t, sight.direction);
         const Real3 normal = times(
             (dot(seen.normal, sight.direction) > 0 ? -1 : 1) / length(seen.normal), seen.normal);
-        truth.see(at, static_cast<int>(hit->patch), view.near_depth + seen.t, position, normal,
+        truth.see(at, static_cast<int>(hit->surface), view.near_depth + seen.t, position, normal,
                   light);
         truth.lit[at] =
             truth.n_dot_l[at] > 0 &&
@@ -285,11 +343,10 @@ PatchTruth trace_once(std::span<const RealPatch> patches, const TruthView& view,
 
 }  // namespace
 
-std::optional<PatchTruth> trace_patches(std::span<const raster::Patch> patches,
-                                        const TruthView& view, const TruthLight& light,
-                                        int cells) try {
-    cells = cells_within_budget(patches.size(), cells);
-    const std::vector<RealPatch> real(patches.begin(), patches.end());
+std::optional<PatchTruth> trace_patches(const raster::Surfaces& surfaces, const TruthView& view,
+                                        const TruthLight& light, int cells) try {
+    cells = cells_within_budget(surfaces.patches.size(), cells, surfaces.mesh.facets.size());
+    const RealScene real(surfaces);
     PatchTruth made = trace_once(real, view, light, cells);
     const Truth coarse = trace_once(real, view, light, std::max(cells / 2, 1)).truth;
     std::size_t changed = 0;
@@ -311,7 +368,7 @@ bool traces_patches() { return true; }
 
 namespace umbra78::tools {
 
-std::optional<PatchTruth> trace_patches(std::span<const raster::Patch>, const TruthView&,
+std::optional<PatchTruth> trace_patches(const raster::Surfaces&, const TruthView&,
                                         const TruthLight&, int) {
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
-// The shadow of bicubic patches, for which there is no closed form: traced by Embree.
+// The shadow of bicubic patches and of meshes, for which there is no closed form: traced by Embree.
 //
+// A mesh's facets are taken as they are; a ray meets the plane of one in double precision.
 // Every patch is cut into cells x cells quads of two triangles, in double precision. Embree's rays,
 // in single precision, find the triangle that is met; from there Newton's method finds the point on
 // the patch itself, in double precision. A shadow ray starts off the surface, on the side seen.
@@ -23,18 +24,18 @@ inline constexpr int default_patch_cells = 64;
 // Embree takes about 110 bytes a triangle, so these are some 460 MB. Scenes of more than 512
 // patches get fewer cells a patch: 5 for 60 000.
 inline constexpr std::size_t max_patch_triangles = std::size_t{1} << 22;
-// The cells a patch that so many patches get, at least 2.
-int cells_within_budget(std::size_t patches, int cells);
+// The cells a patch that so many patches get beside so many facets, at least 2.
+int cells_within_budget(std::size_t patches, int cells, std::size_t facets = 0);
 
 struct PatchTruth {
-    Truth truth;             // `surface` is the patch's index
+    Truth truth;             // `surface` is the patch's index; facets are numbered after patches
     double estimated_error;  // the share of pixels whose answer differs with half as many cells
     double shadow_offset;    // from the surface to where shadow rays start, world units
 };
 
 // cells >= 2; more than cells_within_budget() are cut to it. Nothing where the program is built
 // without Embree, or where there is no memory for the triangles.
-std::optional<PatchTruth> trace_patches(std::span<const raster::Patch>, const TruthView&,
+std::optional<PatchTruth> trace_patches(const raster::Surfaces&, const TruthView&,
                                         const TruthLight&, int cells = default_patch_cells);
 
 // Whether it is built with Embree.

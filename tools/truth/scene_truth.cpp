@@ -37,17 +37,17 @@ TruthLight truth_light(const raster::View& light) {
 
 // The observer's view with all that lies before the eye, or in the whole depth of the scene.
 TruthView without_cut(const LoadedScene& scene, TruthView view) {
-    const raster::DepthRange range = raster::depth_range(scene.observer, scene.patches);
+    const raster::DepthRange range = raster::depth_range(scene.observer, scene.surfaces());
     const double beyond = 1 + view.extent;
     view.near_depth = view.perspective ? 0 : std::min(view.near_depth, q16(range.min) - beyond);
     view.far_depth = std::max(view.far_depth, q16(range.max) + beyond);
     return view;
 }
 
-// The surfaces by their patches: TruthScene's numbers, then the free patches'.
+// The surfaces by their patches: TruthScene's numbers, then the free patches' and the facets'.
 std::optional<PatchTruth> patch_truth(const LoadedScene& scene, const TruthView& view,
                                       const TruthLight& light) {
-    auto made = trace_patches(scene.patches, view, light);
+    auto made = trace_patches(scene.surfaces(), view, light);
     if (!made) return made;
     const auto spheres = static_cast<std::int32_t>(scene.spheres.size());
     const std::int32_t of_spheres = spheres * raster::patches_per_sphere;
@@ -78,7 +78,7 @@ std::optional<SceneTruth> trace(const LoadedScene& scene, bool cut) {
     SceneTruth made{truth_scene(scene), truth_view(scene.observer, size),
                     truth_view(scene.light, size), truth_light(scene.light), {}, {}};
     const TruthView seen = cut ? made.observer : without_cut(scene, made.observer);
-    if (scene.free_patches > 0) {
+    if (!scene.has_closed_form()) {
         auto traced = patch_truth(scene, seen, made.light);
         if (!traced) return std::nullopt;
         made.closed_form = false;

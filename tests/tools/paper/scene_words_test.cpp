@@ -36,6 +36,8 @@ TEST(PaperSceneWords, HoldTheFiguresSceneAlone) {
         return error_of([&] { paper_scene_words(scene); });
     };
     EXPECT_EQ(refused([](LoadedScene&) {}), "no error");
+    EXPECT_EQ(refused([](LoadedScene& s) { s.facets.resize(1); }),
+              "the figures' words hold spheres alone");
     EXPECT_EQ(refused([](LoadedScene& s) { s.free_patches = 1; }),
               "the figures' words hold spheres alone");
     EXPECT_EQ(refused([](LoadedScene& s) { s.spheres[2].material = 1; }),

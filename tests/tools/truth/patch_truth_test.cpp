@@ -39,6 +39,8 @@ TEST(PatchTruth, ManyPatchesGetFewerCells) {
     EXPECT_EQ(cells_within_budget(60000, 64), 5);
     EXPECT_EQ(cells_within_budget(60000, 4), 4);
     EXPECT_EQ(cells_within_budget(10'000'000, 64), 2);
+    EXPECT_EQ(cells_within_budget(512, 64, max_patch_triangles / 2), 45);
+    EXPECT_EQ(cells_within_budget(512, 64, 2 * max_patch_triangles), 2);
 }
 
 int count(const Band& band) { return static_cast<int>(std::count(band.begin(), band.end(), 1)); }
@@ -82,6 +84,63 @@ TEST(PatchTruth, AgreesWithTheClosedFormOfSpheres) {
     EXPECT_LT(cosine, 1e-3);
     EXPECT_GT(dark, 1000);
     EXPECT_LT(other_caster, dark / 200);
+}
+
+// A plane over a plane, once as planes and once as facets: the closed form's answer.
+TEST(PatchTruth, AgreesWithTheClosedFormOfFacets) {
+    if (!traces_patches()) GTEST_SKIP() << "built without Embree (libembree-dev)";
+    const std::string planes = R"(
+[observer]
+elevation = 35
+[light]
+kind = "point"
+position = [-2, 5, 3]
+[[plane]]
+origin = [-3, 0, 3]
+u = [6, 0, 0]
+v = [0, 0, -6]
+[[plane]]
+origin = [-1, 1, 1]
+u = [2, 0.4, 0]
+v = [0, 0.3, -2]
+[settings]
+xy_bits = 7
+)";
+    const LoadedScene scene = parse_scene(planes, "planes.toml", {});
+    const SceneTruth exact = *trace(scene);
+    ASSERT_TRUE(exact.closed_form);
+    LoadedScene mesh = scene;
+    for (const raster::Plane& p : scene.planes) {
+        const auto at = [&](int s, int t) {
+            return raster::World{p.origin.x + s * p.u.x + t * p.v.x,
+                                 p.origin.y + s * p.u.y + t * p.v.y,
+                                 p.origin.z + s * p.u.z + t * p.v.z};
+        };
+        const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), {at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
+        mesh.facets.push_back({{n, n + 1, n + 2}});
+        mesh.facets.push_back({{n, n + 2, n + 3}});
+    }
+    mesh.planes.clear();
+    mesh.patches.clear();
+    EXPECT_FALSE(mesh.has_closed_form());
+    const SceneTruth traced = *trace(mesh);
+    EXPECT_FALSE(traced.closed_form);
+    EXPECT_EQ(traced.tessellation_error, 0);  // facets are not cut up
+    const Band edge = near_an_edge(exact.truth);
+    int lit = 0, dark = 0;
+    for (std::size_t at = 0; at < edge.size(); ++at) {
+        if (edge[at]) continue;
+        EXPECT_EQ(exact.truth.visible[at], traced.truth.visible[at]) << at;
+        EXPECT_EQ(exact.truth.lit[at], traced.truth.lit[at]) << at;
+        if (!exact.truth.visible[at]) continue;
+        EXPECT_NEAR(exact.truth.depth[at], traced.truth.depth[at], 1e-9) << at;
+        EXPECT_EQ(traced.truth.surface[at] / 2, exact.truth.surface[at]) << at;
+        lit += exact.truth.lit[at];
+        dark += !exact.truth.lit[at];
+    }
+    EXPECT_GT(lit, 1000);
+    EXPECT_GT(dark, 300);
 }
 
 TEST(PatchTruth, ASceneWithFreePatchesHasItsTruth) {

@@ -132,7 +132,7 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     // Free patches are not measured, because what is found must not depend on whether the program
     // is built with Embree.
     if (const auto truth =
-            scene.free_patches > 0 ? std::nullopt : trace_within_depths(scene)) {
+            scene.has_closed_form() ? trace_within_depths(scene) : std::nullopt) {
         measure_depths(job, *truth, c.far_over_near != 0, f);
         measure_shadow(job, *truth, f);
     }
