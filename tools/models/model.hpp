@@ -4,7 +4,7 @@
 //   .bez   Geomview's Bezier patches: BBP or BEZ333, then 16 points a patch
 //   .tea   Newell's tea set: the number of patches, 16 vertex numbers from 1 for each, the number
 //          of vertices, their points
-//   .obj   Wavefront: polygons, which become triangles
+//   .obj   Wavefront: polygons, which become triangles, and bicubic surfaces
 //
 // A coordinate goes from its decimal to a word of 32 fraction bits, half to even, and never passes
 // through floating point. Points 0 .. 15 of a patch in a file are control points 0 .. 15.
