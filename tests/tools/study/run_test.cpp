@@ -327,9 +327,6 @@ TEST_F(Study, OfAPatchOfOnesOwnNeedsEmbree) {
 // A study keeps the models that its scene names, so it can be verified without their files.
 TEST_F(Study, OfASceneWithModelsCanBeVerifiedWithoutThem) {
     if (!traces_patches()) GTEST_SKIP() << "built without Embree (libembree-dev)";
-    const auto write = [&](const char* name, const std::string& text) {
-        std::ofstream(folder / name, std::ios::binary) << text;
-    };
     std::string bump = "1\n3 3\n# \xE9t\xE9\n";
     for (int n = 0; n < 16; ++n)
         bump += std::to_string(n % 4) + " " + std::to_string(n / 4) + (n == 5 ? " 2\n" : " 0\n");
