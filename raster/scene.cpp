@@ -1,24 +1,12 @@
 #include "raster/scene.hpp"
 
 #include "fixed/rounding.hpp"
-#include "fixed/sine.hpp"
-#include "raster/vector.hpp"
+#include "raster/arc.hpp"
 
 namespace umbra78::raster {
 namespace {
 
 using fixed::Rounding;
-
-constexpr std::int32_t handle_q30 = 284774038;  // 4/3 tan(45/4 degrees)
-
-// Control point i of the cubic arc from 45 k to 45 (k + 1) degrees, as cosine and sine in Q2.30:
-// P0 + handle P0' next to the start, P3 - handle P3' next to the end.
-constexpr fixed::SineCosine arc_point(int k, int i) {
-    const fixed::SineCosine end = fixed::sine_cosine((i < 2 ? k : k + 1) * (45 << world_fraction));
-    const std::int32_t handle = i == 1 ? handle_q30 : i == 2 ? -handle_q30 : 0;
-    return {end.sine + axis_product(handle, end.cosine),
-            end.cosine - axis_product(handle, end.sine)};
-}
 
 // radius a b: a b is rounded to Q2.30, then the product to Q15.16.
 constexpr std::int32_t scaled(std::int32_t radius, std::int32_t a, std::int32_t b) {

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Scene reading, settings and closed-form truth need no exceptions, files or threads, so that a web
-# page or a microcontroller can use them. They are compiled without exceptions, name no header of
-# files or threads, and need nothing of tools/ but each other.
+# Scene and model reading, settings and closed-form truth need no exceptions, files or threads, so
+# that a web page or a microcontroller can use them. They are compiled without exceptions, name no
+# header of files or threads, and need nothing of tools/ but each other.
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 
-# tools/scene but for the program's scene_file.cpp, which opens files and throws; of tools/truth
-# what is in closed form and what measures a mask against it.
-free="$(ls tools/scene/*.cpp | grep -v '/scene_file[.]cpp$') tools/io/suggest.cpp
+# tools/models; tools/scene but for the program's scene_file.cpp, which opens files and throws; of
+# tools/truth what is in closed form and what measures a mask against it.
+free="$(ls tools/models/*.cpp tools/scene/*.cpp | grep -v '/scene_file[.]cpp$') tools/io/suggest.cpp
 tools/io/text_formats.cpp tools/truth/truth.cpp tools/truth/metrics.cpp tools/truth/edge_bands.cpp
 tools/truth/edge_distance.cpp"
 free=${free//$'\n'/ }

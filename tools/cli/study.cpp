@@ -14,8 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -49,12 +47,7 @@ Shard read_shard(const std::string& text) {
 
 Asked asked_of(const Study& study, const Options& options) {
     Request request;
-    if (!options.scene.empty()) {
-        request.scene = load_scene(options.scene, {});  // for its errors
-        request.scene_file = options.scene;
-        std::ifstream file(options.scene, std::ios::binary);
-        request.scene_text.assign(std::istreambuf_iterator<char>(file), {});
-    }
+    if (!options.scene.empty()) take_scene(options.scene, request);
     for (const std::string& vary : options.vary) request.vary.push_back(parse_vary(vary));
     request.quick = options.quick;
     request.automatic = options.automatic;

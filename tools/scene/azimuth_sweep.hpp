@@ -5,7 +5,7 @@
 // is given to the scene as an override, in its exact decimals.
 #pragma once
 
-#include "tools/scene/first_error.hpp"
+#include "tools/io/first_error.hpp"
 
 #include <cstdint>
 #include <string>

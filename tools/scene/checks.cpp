@@ -131,7 +131,7 @@ Warnings warnings_of(const LoadedScene& scene) {
     Warnings warnings;
     if (scene.surfaces().empty()) {
         warnings.push_back(
-            {"empty", 0, "nothing is drawn: there is no [[sphere]], [[plane]] or [[patch]]"});
+            {"empty", 0, "nothing is drawn: the scene has no [[sphere]] or other surface"});
     } else {
         warn_of_light(scene, warnings);
         warn_of_observer(scene, warnings);

@@ -1,7 +1,7 @@
 // Whether a scene can be drawn, and what its user should know before it is.
 #pragma once
 
-#include "tools/scene/first_error.hpp"
+#include "tools/io/first_error.hpp"
 #include "tools/scene/scene.hpp"
 
 namespace umbra78::tools {

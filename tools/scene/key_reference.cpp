@@ -17,11 +17,11 @@ std::string scene_keys_markdown() {
     std::string text =
         "# Keys of a scene file\n\n"
         "This page is printed by `umbra78 settings --scene`, from the tables by which scene files\n"
-        "are read. A scene file is TOML; see `figures.toml` and `lamp.toml`. The world is\n"
-        "x right, y up, z toward an observer at azimuth 0. Numbers are decimals and are read\n"
-        "exactly; lengths and angles are rounded to multiples of 2^-16, half to even. The middle\n"
-        "of the scene is the middle of the box that holds the control points of all surfaces,\n"
-        "rounded down to a multiple of 2^-16.\n";
+        "are read. A scene file is TOML; see `figures.toml`, `lamp.toml`, `solids.toml` and\n"
+        "`teapot.toml`. The world is x right, y up, z toward an observer at azimuth 0. Numbers\n"
+        "are decimals and are read exactly; lengths and angles are rounded to multiples of\n"
+        "2^-16, half to even. The middle of the scene is the middle of the box that holds the\n"
+        "control points of all surfaces, rounded down to a multiple of 2^-16.\n";
     for (const SceneTable& table : scene_tables()) {
         std::vector<std::vector<std::string>> rows{{"key", "unit", "range", "default", "meaning"}};
         for (const SceneKey& key : table.keys)

@@ -11,14 +11,14 @@ namespace {
 
 // Each step computes with what the steps before it have read, so it is taken only if they found
 // no error.
-void read(std::string_view text, std::span<const std::string> overrides, LoadedScene& scene,
-          FirstError& error) {
+void read(std::string_view text, std::span<const std::string> overrides, const FileSource& files,
+          LoadedScene& scene, FirstError& error) {
     TomlNode root = parse_toml(text, scene.name, error);
     if (error.any()) return;
     const TomlNode set = apply_view_overrides(root, overrides, error);
     check_keys(root, "the scene", scene_table_names(), error);
     if (error.any()) return;
-    read_surfaces(root, scene, error);
+    read_surfaces(root, files, scene, error);
     if (error.any()) return;
     take_origin(read_origin(root, scene.surfaces(), error), scene);
     scene.observer = read_observer(root, scene.surfaces(), scene.origin, error);
@@ -30,7 +30,8 @@ void read(std::string_view text, std::span<const std::string> overrides, LoadedS
     if (error.any()) return;
     check_matrices(scene, error);
     if (error.any()) return;
-    scene.warnings = warnings_of(scene);
+    const Warnings found = warnings_of(scene);
+    scene.warnings.insert(scene.warnings.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -41,11 +42,11 @@ std::string_view kinds_of_surfaces(const LoadedScene& scene) {
 }
 
 SceneResult read_scene(std::string_view text, const std::string& name,
-                       std::span<const std::string> overrides) {
+                       std::span<const std::string> overrides, const FileSource& files) {
     SceneResult result;
     FirstError error;
     result.scene.name = name;
-    read(text, overrides, result.scene, error);
+    read(text, overrides, files, result.scene, error);
     result.error = error.line();
     return result;
 }

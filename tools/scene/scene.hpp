@@ -2,13 +2,15 @@
 //
 // Every decimal goes from its text to fixed point without passing through floating point. The
 // tables and keys are those of scene_keys.hpp, listed in tools/scenes/KEYS.md; an example is
-// tools/scenes/figures.toml. Nothing here needs exceptions, files or threads.
+// tools/scenes/figures.toml. Nothing here needs exceptions, files or threads:
+// the files that a scene names come from whoever calls.
 #pragma once
 
 #include "raster/scene.hpp"
 #include "shadow/frame/frame.hpp"
 #include "tools/scene/warning.hpp"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,9 +51,20 @@ struct SceneResult {
     bool ok() const { return error.empty(); }
 };
 
+// What a file that a scene names holds.
+struct FileText {
+    std::string name;     // its path as it was opened, for errors
+    std::string text{};
+    std::string error{};  // why it cannot be read, and the remedy; else empty
+};
+
+// Gives the file that stands in a scene as `path`, which counts from the scene's own folder.
+using FileSource = std::function<FileText(const std::string& path)>;
+
 // `name` is the file's, for errors and warnings. `overrides` are "key=value" as --set takes them:
 // a setting's key, observer.KEY or light.KEY; of two with the same key the later one counts.
+// Without `files` a scene that names files is an error.
 SceneResult read_scene(std::string_view text, const std::string& name,
-                       std::span<const std::string> overrides);
+                       std::span<const std::string> overrides, const FileSource& files = {});
 
 }  // namespace umbra78::tools

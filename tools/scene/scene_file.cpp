@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <system_error>
 
@@ -16,22 +17,31 @@ namespace {
 
 constexpr std::size_t max_bytes = std::size_t{1} << 28;
 
-std::string read_text_file(const std::string& path) {
+// `kind` is what errors ask for: "a scene file".
+FileText read_text_file(const std::string& path, const std::string& kind) {
+    FileText file_text{.name = path};
+    std::string& text = file_text.text;
     const auto fail_to_read = [&](const std::string& why) {
-        throw SceneError(fmt::format("cannot read '{}': {}; give the path of a scene file", path,
-                                     why));
+        text.clear();
+        file_text.error =
+            fmt::format("cannot read '{}': {}; give the path of {}", path, why, kind);
+        return file_text;
     };
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                                std::fclose);
-    if (!file) fail_to_read(std::generic_category().message(errno));
-    std::string text;
+    if (!file) return fail_to_read(std::generic_category().message(errno));
     std::array<char, 1 << 16> block;
     while (const std::size_t got = std::fread(block.data(), 1, block.size(), file.get())) {
         text.append(block.data(), got);
-        if (text.size() > max_bytes) fail_to_read("it is larger than 256 MiB");
+        if (text.size() > max_bytes) return fail_to_read("it is larger than 256 MiB");
     }
-    if (std::ferror(file.get())) fail_to_read(std::generic_category().message(errno));
-    return text;
+    if (std::ferror(file.get())) return fail_to_read(std::generic_category().message(errno));
+    return file_text;
+}
+
+LoadedScene scene_or_throw(SceneResult result) {
+    if (!result.ok()) throw SceneError(result.error);
+    return std::move(result.scene);
 }
 
 void throw_if_any(const FirstError& error) {
@@ -41,14 +51,21 @@ void throw_if_any(const FirstError& error) {
 }  // namespace
 
 LoadedScene parse_scene(std::string_view text, const std::string& name,
-                        std::span<const std::string> overrides) {
-    SceneResult result = read_scene(text, name, overrides);
-    if (!result.ok()) throw SceneError(result.error);
-    return std::move(result.scene);
+                        std::span<const std::string> overrides, const FileSource& files) {
+    return scene_or_throw(read_scene(text, name, overrides, files));
 }
 
 LoadedScene load_scene(const std::string& path, std::span<const std::string> overrides) {
-    return parse_scene(read_text_file(path), path, overrides);
+    const FileText file = read_text_file(path, "a scene file");
+    if (!file.error.empty()) throw SceneError(file.error);
+    return parse_scene(file.text, path, overrides, files_beside(path));
+}
+
+FileSource files_beside(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return [folder](const std::string& named) {
+        return read_text_file((folder / named).string(), "a model, from the scene's folder");
+    };
 }
 
 TomlNode parse_override(const std::string& key_and_value) {

@@ -13,9 +13,13 @@
 namespace umbra78::tools {
 
 // `overrides` are those of read_scene(). Both throw SceneError: for a scene that is wrong, and
-// load_scene() for a file that cannot be read or is larger than 256 MiB.
+// load_scene() for a file that cannot be read or is larger than 256 MiB. The models of a scene are
+// files, which load_scene() finds from the scene's folder; parse_scene() asks `files` for them.
 LoadedScene load_scene(const std::string& path, std::span<const std::string> overrides);
 LoadedScene parse_scene(std::string_view text, const std::string& name,
-                        std::span<const std::string> overrides);
+                        std::span<const std::string> overrides, const FileSource& files = {});
+
+// The files that the scene at `path` names, which count from its folder.
+FileSource files_beside(const std::string& path);
 
 }  // namespace umbra78::tools

@@ -27,6 +27,8 @@ constexpr raster::Material plain;
 
 constexpr std::string_view projections[] = {"orthographic", "perspective"};  // raster::Projection
 constexpr std::string_view on_or_off[] = {"on", "off"};
+constexpr std::string_view up_axes[] = {"y", "z"};
+constexpr std::string_view shadings[] = {"smooth", "flat"};
 constexpr std::string_view light_kinds[] = {"directional", "point"};
 
 constexpr SceneKey target{.key = "target", .kind = point, .unit = world_units,
@@ -46,6 +48,22 @@ constexpr SceneKey far_depth{
 constexpr SceneKey material{.key = "material", .kind = text,
                             .left_out = "a material with all defaults",
                             .meaning = "the name of a [[material]]"};
+
+constexpr SceneKey turn{
+    .key = "turn", .kind = point, .unit = degrees, .range = azimuth_range,
+    .left_out = "[0, 0, 0]",
+    .meaning = "right-handed, first about the x axis, then about y, then about z"};
+constexpr SceneKey centre{.key = "centre", .kind = point, .unit = world_units,
+                          .range = place_range, .left_out = needed, .example = "[0, 0, 0]",
+                          .meaning = "about which it is turned"};
+constexpr SceneKey base{.key = "base", .kind = point, .unit = world_units, .range = place_range,
+                        .left_out = needed, .example = "[0, 0, 0]",
+                        .meaning = "the middle of its lower end, about which it is turned"};
+constexpr SceneKey height{.key = "height", .kind = number, .unit = world_units,
+                          .range = length_range, .left_out = needed, .example = "2",
+                          .meaning = "from the lower end to the upper one"};
+constexpr SceneKey capped{.key = "capped", .kind = choice, .choices = on_or_off,
+                          .meaning = "discs close the ends"};
 
 constexpr SceneKey observer_keys[] = {
     {.key = "projection", .kind = choice, .choices = projections, .meaning = "of the picture"},
@@ -115,6 +133,67 @@ constexpr SceneKey patch_keys[] = {
     material,
 };
 
+constexpr SceneKey torus_keys[] = {
+    centre,
+    {.key = "radius", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = needed, .example = "1", .meaning = "from the centre to the middle of the tube"},
+    {.key = "tube", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = needed, .example = "0.4", .meaning = "the tube's own radius, at most radius"},
+    turn,
+    material,
+};
+constexpr SceneKey cylinder_keys[] = {
+    base,
+    {.key = "radius", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = needed, .example = "1", .meaning = "of both ends"},
+    height,
+    capped,
+    turn,
+    material,
+};
+constexpr SceneKey cone_keys[] = {
+    base,
+    {.key = "radius", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = needed, .example = "1", .meaning = "of the lower end"},
+    {.key = "top", .kind = number, .unit = world_units, .range = {16, 0, world_reach},
+     .meaning = "radius of the upper end; 0 is a tip"},
+    height,
+    capped,
+    turn,
+    material,
+};
+constexpr SceneKey box_keys[] = {
+    centre,
+    {.key = "size", .kind = point, .unit = world_units, .range = length_range,
+     .left_out = needed, .example = "[1, 1, 1]", .meaning = "along x, y and z, before the turn"},
+    turn,
+    material,
+};
+constexpr SceneKey triangle_keys[] = {
+    {.key = "a", .kind = point, .unit = world_units, .range = place_range, .left_out = needed,
+     .example = "[0, 0, 0]", .meaning = "a corner"},
+    {.key = "b", .kind = point, .unit = world_units, .range = place_range, .left_out = needed,
+     .example = "[1, 0, 0]", .meaning = "a corner"},
+    {.key = "c", .kind = point, .unit = world_units, .range = place_range, .left_out = needed,
+     .example = "[0, 1, 0]", .meaning = "a corner, not on a line with the others"},
+    material,
+};
+constexpr SceneKey model_keys[] = {
+    {.key = "file", .kind = text, .left_out = needed, .example = "\"models/teapot.tea\"",
+     .meaning = "its path from the scene's folder"},
+    {.key = "place", .kind = point, .unit = world_units, .range = place_range,
+     .left_out = "[0, 0, 0]", .meaning = "where the model's origin is put"},
+    turn,
+    {.key = "scale", .kind = number, .range = {48, 1, 32767 * (std::int64_t{1} << 48)},
+     .fallback = std::int64_t{1} << 48, .meaning = "world units for a unit of the model"},
+    {.key = "up", .kind = choice, .choices = up_axes,
+     .meaning = "the axis of the file that points up, before the turn"},
+    {.key = "shading", .kind = choice, .choices = shadings,
+     .meaning = "of triangles: by normals at the vertices (the file's, or the mean of the "
+                "triangles there), or each by its own"},
+    material,
+};
+
 constexpr SceneTable tables[] = {
     {"observer", false, "The view of the picture. It may be left out.", observer_keys},
     {"light", false, "The light, and its view of the scene: the depth map. It must be given.",
@@ -123,6 +202,13 @@ constexpr SceneTable tables[] = {
     {"sphere", true, "A sphere, drawn as 32 patches.", sphere_keys},
     {"plane", true, "A parallelogram origin + s u + t v, 0 <= s, t <= 1.", plane_keys},
     {"patch", true, "A surface of any shape, seen from both sides.", patch_keys},
+    {"torus", true, "A ring about the y axis, drawn as 64 patches.", torus_keys},
+    {"cylinder", true, "A cylinder along the y axis, drawn as 8 patches and 8 for a cap.",
+     cylinder_keys},
+    {"cone", true, "A cone along the y axis, drawn as 8 patches and 8 for a cap.", cone_keys},
+    {"box", true, "A box along the axes, drawn as six patches.", box_keys},
+    {"triangle", true, "A triangle, seen from both sides.", triangle_keys},
+    {"model", true, "Surfaces from a file: .bpt, .bez, .tea or .obj.", model_keys},
 };
 constexpr auto names = [] {
     std::array<std::string_view, std::size(tables) + 1> made{};

@@ -1,66 +1,20 @@
 #include "tools/scene/surfaces.hpp"
 
-#include "tools/io/suggest.hpp"
-#include "tools/scene/table_reader.hpp"
+#include "tools/scene/materials.hpp"
+#include "tools/scene/scene_models.hpp"
+#include "tools/scene/scene_solids.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace umbra78::tools {
 namespace {
 
 using Kind = TomlNode::Kind;
-using Names = std::vector<std::string>;
 
-// The tables [[key]], of which there may be none.
-std::span<const TomlNode> tables(const TomlNode& root, std::string_view key, FirstError& error) {
-    const TomlNode* node = root.find(key);
-    if (!node) return {};
-    if (node->kind == Kind::array) return node->children;
-    report(error, *node, fmt::format("[{}] must be written [[{}]]: there may be many", key, key));
-    return {};
-}
-
-Names read_materials(const TomlNode& root, std::vector<raster::Material>& materials,
-                     FirstError& error) {
-    Names names;
-    for (const TomlNode& node : tables(root, "material", error)) {
-        const TableReader in(node, scene_table("material"), error);
-        const std::string name = in.needed_text("name");
-        if (std::find(names.begin(), names.end(), name) != names.end())
-            in.report(in.need("name"),
-                      fmt::format("there is a material '{}' already; rename one", name));
-        const auto word = [&](const char* key) {
-            return static_cast<std::int32_t>(in.number(key));
-        };
-        materials.push_back({word("diffuse"), word("specular"), word("shininess")});
-        names.push_back(name);
-    }
-    if (materials.size() >= std::numeric_limits<std::uint16_t>::max())
-        report(error, *root.find("material"), "there are 65535 materials or more; use fewer");
-    materials.push_back({});  // of surfaces that name none
-    return names;
-}
-
-// The material's number; that of the last one for a surface that names none.
-std::uint16_t read_material(const TableReader& in, const Names& names) {
-    const TomlNode* node = in.find("material");
-    if (!node) return static_cast<std::uint16_t>(names.size());
-    const std::string name = read_text(*node, in.called("material"), in.error());
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        const std::vector<std::string_view> known(names.begin(), names.end());
-        in.report(*node, fmt::format("unknown material '{}' in {}; {}", name, in.title(),
-                                     known.empty() ? "add a [[material]] of that name"
-                                                   : suggest(name, known)));
-    }
-    return static_cast<std::uint16_t>(found - names.begin());
-}
-
-raster::Sphere read_sphere(const TomlNode& node, const Names& names, FirstError& error) {
+raster::Sphere read_sphere(const TomlNode& node, const MaterialNames& names, FirstError& error) {
     const TableReader in(node, scene_table("sphere"), error);
     raster::Sphere sphere;
     sphere.centre = in.needed_point("centre");
@@ -80,7 +34,7 @@ bool parallel(const raster::World& u, const raster::World& v) {
     return minor(u.x, u.y, v.x, v.y) && minor(u.y, u.z, v.y, v.z) && minor(u.x, u.z, v.x, v.z);
 }
 
-raster::Plane read_plane(const TomlNode& node, const Names& names, FirstError& error) {
+raster::Plane read_plane(const TomlNode& node, const MaterialNames& names, FirstError& error) {
     const TableReader in(node, scene_table("plane"), error);
     raster::Plane plane;
     plane.origin = in.needed_point("origin");
@@ -100,7 +54,7 @@ raster::Plane read_plane(const TomlNode& node, const Names& names, FirstError& e
 }
 
 // 16 points, or four rows of four.
-raster::Patch read_patch(const TomlNode& node, const Names& names, FirstError& error) {
+raster::Patch read_patch(const TomlNode& node, const MaterialNames& names, FirstError& error) {
     const TableReader in(node, scene_table("patch"), error);
     const TomlNode& control = in.need("control");
     const NumberRange& range = scene_key(scene_table("patch"), "control").range;
@@ -142,6 +96,7 @@ void take_origin(const raster::World& origin, LoadedScene& scene) {
     for (raster::Plane& plane : scene.planes) take(plane.origin);
     for (raster::Patch& patch : scene.patches)
         for (raster::World& point : patch.control) take(point);
+    for (raster::World& vertex : scene.vertices) take(vertex);
     scene.origin = origin;
 }
 
@@ -155,17 +110,21 @@ void append_closed_forms(LoadedScene& scene) {
         scene.patches.push_back(raster::plane_patch(plane));
 }
 
-void read_surfaces(const TomlNode& root, LoadedScene& scene, FirstError& error) {
-    const Names names = read_materials(root, scene.materials, error);
-    for (const TomlNode& node : tables(root, "sphere", error))
+void read_surfaces(const TomlNode& root, const FileSource& files, LoadedScene& scene,
+                   FirstError& error) {
+    const MaterialNames names = read_materials(root, scene.materials, error);
+    for (const TomlNode& node : tables_of(root, "sphere", error))
         scene.spheres.push_back(read_sphere(node, names, error));
-    for (const TomlNode& node : tables(root, "plane", error))
+    for (const TomlNode& node : tables_of(root, "plane", error))
         scene.planes.push_back(read_plane(node, names, error));
     if (error.any()) return;
     append_closed_forms(scene);
     const std::size_t closed = scene.patches.size();
-    for (const TomlNode& node : tables(root, "patch", error))
+    for (const TomlNode& node : tables_of(root, "patch", error))
         scene.patches.push_back(read_patch(node, names, error));
+    read_solids(root, names, scene, error);
+    if (error.any()) return;
+    read_models(root, names, files, scene, error);
     scene.free_patches = scene.patches.size() - closed;
 }
 

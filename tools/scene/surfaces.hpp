@@ -6,9 +6,9 @@
 
 namespace umbra78::tools {
 
-// Reads [[material]], [[sphere]], [[plane]] and [[patch]] into the scene's vectors. After an error
-// they are not to be used.
-void read_surfaces(const TomlNode& root, LoadedScene&, FirstError&);
+// Reads [[material]] and all surfaces into the scene's vectors, models by way of `files`. After an
+// error they are not to be used.
+void read_surfaces(const TomlNode& root, const FileSource& files, LoadedScene&, FirstError&);
 
 // Takes `origin` from all places of the surfaces; the differences fit a word.
 void take_origin(const raster::World& origin, LoadedScene&);

@@ -52,6 +52,7 @@ public:
     std::string needed_text(std::string_view key) const;
 
     std::string called(std::string_view key) const;  // "'radius' in [[sphere]]"
+    const TomlNode& node() const { return node_; }
     const std::string& title() const { return title_; }
     FirstError& error() const { return error_; }
     void report(const TomlNode& where, const std::string& what) const;

@@ -5,7 +5,7 @@
 // given on the command line becomes the same kind of node.
 #pragma once
 
-#include "tools/scene/first_error.hpp"
+#include "tools/io/first_error.hpp"
 
 #include <string>
 #include <string_view>

@@ -34,6 +34,7 @@ ordered_json inputs_of(const Study& study, const Request& request) {
                       {"quick", request.quick},
                       {"auto", request.automatic},
                       {"host_times", request.host_times}};
+    if (!request.models.empty()) json["models"] = request.models;
     for (const auto& [key, values] : request.vary)
         json["vary"].push_back({{"key", key}, {"values", values}});
     return json;
@@ -75,6 +76,7 @@ Asked ask_again(const ordered_json& inputs, const std::string& path, Studies kno
         study = &study_of(inputs.at("study"), path, known);
         request.scene_file = inputs.at("scene_file");
         request.scene_text = inputs.at("scene");
+        if (inputs.contains("models")) inputs.at("models").get_to(request.models);
         for (const ordered_json& vary : inputs.at("vary"))
             request.vary.emplace_back(vary.at("key"),
                                       vary.at("values").get<std::vector<std::string>>());

@@ -3,6 +3,7 @@
 
 #include "tools/scene/scene_file.hpp"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,11 +26,15 @@ struct Request {
     std::string scene_file;     // the path as it was given; "figures.toml" for the paper's scene
     LoadedScene scene;          // with the settings of the file
     std::string scene_text;     // what cases are read from; "" for the paper's scene
+    std::map<std::string, std::string> models;  // files that it names, by the path in the scene
     std::vector<GridKey> vary;  // --vary, in the order given
     bool quick = false;         // a small grid, which takes seconds
     bool automatic = false;     // --auto: only the answer for the scene
     bool host_times = true;
 };
+
+// Takes text and models from the files of a scene. Throws SceneError for a scene that is wrong.
+void take_scene(const std::string& path, Request&);
 
 // The request's scene with a case's overrides. Throws SceneError.
 LoadedScene scene_of(const Request&, const Case&);

@@ -1,7 +1,7 @@
 """The worked examples of the text: each is computed, and has to be in the text word for word."""
 import re
 
-from . import blocks, perspective
+from . import blocks, models, perspective
 from .figures import scene, view
 from .filters import darken, dequantize, shadow_chains
 from .notation import fnv, half_up, to_bytes
@@ -114,9 +114,14 @@ def perspective_block():
                f"divided: {words(g[i][j] for g in divided)}")
 
 
+def placed():
+    for what, values in models.examples():
+        yield f"| {what} | {words(values)} |"
+
+
 def check(text):
     """How many examples there are, and those that the text lacks."""
     found = [*hashes(text), *biases(), *round_first(), *edges(), *composites(),
-             *perspective_block()]
+             *perspective_block(), *placed()]
     text = re.sub(r"\s+", " ", text)
     return len(found), [example for example in found if example not in text]

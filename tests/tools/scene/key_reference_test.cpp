@@ -2,6 +2,7 @@
 // and the committed reference is what is printed from it.
 #include "tools/scene/key_reference.hpp"
 
+#include "fixed/decimal.hpp"
 #include "tests/support/paths.hpp"
 #include "tools/scene/scene.hpp"
 #include "tools/scene/scene_keys.hpp"
@@ -11,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -56,11 +57,13 @@ TEST(SceneKeys, EveryRowIsRead) {
             ++rows;
         }
     }
-    EXPECT_EQ(rows, 30);
+    EXPECT_EQ(rows, 63);
 }
 
 std::string decimal(std::int64_t word, int fraction) {
-    return fmt::format("{:.20f}", std::ldexp(static_cast<double>(word), -fraction));
+    std::array<char, fixed::longest_decimal> text;
+    const int length = fixed::print_decimal(word, fraction, text);
+    return {text.data(), static_cast<std::size_t>(length)};
 }
 
 std::string whole(std::int64_t word, int) { return std::to_string(word); }
@@ -97,7 +100,7 @@ TEST(SceneKeys, EveryNumberIsHeldToItsRange) {
             }
         }
     }
-    EXPECT_EQ(ranges, 2 * 15);
+    EXPECT_EQ(ranges, 2 * 23);
 }
 
 TEST(SceneKeys, ADefaultIsWhatAKeyLeftOutIs) {

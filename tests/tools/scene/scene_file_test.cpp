@@ -223,7 +223,7 @@ TEST(SceneFile, WarnsOfWhatTheViewsDoNotHold) {
               "a.toml: 16 of 32 patches lie beside or behind the light and cast no shadow; move "
               "light.position out of the scene");
     EXPECT_EQ(lines_of(parsed(left_light).warnings),
-              Texts{"a.toml: nothing is drawn: there is no [[sphere]], [[plane]] or [[patch]]"});
+              Texts{"a.toml: nothing is drawn: the scene has no [[sphere]] or other surface"});
 }
 
 }  // namespace

@@ -324,6 +324,23 @@ TEST_F(Study, OfAPatchOfOnesOwnNeedsEmbree) {
     }
 }
 
+// A study keeps the models that its scene names, so it can be verified without their files.
+TEST_F(Study, OfASceneWithModelsCanBeVerifiedWithoutThem) {
+    if (!traces_patches()) GTEST_SKIP() << "built without Embree (libembree-dev)";
+    std::string bump = "1\n3 3\n# \xE9t\xE9\n";
+    for (int n = 0; n < 16; ++n)
+        bump += std::to_string(n % 4) + " " + std::to_string(n / 4) + (n == 5 ? " 2\n" : " 0\n");
+    write("bump.bpt", bump);
+    write("a.toml", "[[model]]\nfile = \"bump.bpt\"\n[light]\nazimuth = 40\nelevation = 20\n");
+    const Ran ran = run(small + "a.toml --out a");
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    fs::remove(folder / "bump.bpt");
+    fs::remove(folder / "a.toml");
+    const Ran verified = run("study verify a/error-time.csv --sample 2");
+    EXPECT_EQ(verified.exit_code, 0) << verified.err;
+    EXPECT_NE(verified.out.find("2 of "), std::string::npos) << verified.out;
+}
+
 TEST_F(Study, ErrorsAreOneLine) {
     const struct {
         const char *arguments, *message;

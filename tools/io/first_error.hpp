@@ -1,6 +1,7 @@
-// Where readers report what is wrong with a scene or a setting. They throw nothing: a reader
-// reports its error here and goes on with a harmless value, and whoever called it asks at the end
-// whether there was one. Only the first error is kept, so the user sees the one that comes first.
+// Where readers report what is wrong with a scene, a model or a setting. They throw nothing: a
+// reader reports its error here and goes on with a harmless value, and whoever called it asks at
+// the end whether there was one. Only the first error is kept, so the user sees the one that comes
+// first.
 #pragma once
 
 #include <string>
