@@ -93,14 +93,19 @@ def blocks(patch, affine, s, counts):
             todo += [(half, count) for half in zip(*(split(comp, way + 1) for comp in block))]
 
 
-def screen_components(points, loaded, s):
-    """X, Y, Z of a patch's object words, or in perspective X, Y, Z, W."""
+def screen_words(points, loaded, s):
+    """X, Y, Z of places in object words, or in perspective X, Y, Z, W: a list each."""
     rounding = s.rounding("transform")
     if loaded.affine:
         shifts = [loaded.shift(r, out, s)
                   for r, out in enumerate((13, 13, s.depth_fraction + s.depth_guard))]
     else:
         shifts = perspective.shifts(loaded, s)
-    return [component([shift_down(a * x + b * y + c * z + d * loaded.one, n, rounding)
-                       for x, y, z in points])
+    return [[shift_down(a * x + b * y + c * z + d * loaded.one, n, rounding)
+             for x, y, z in points]
             for (a, b, c, d), n in zip(loaded.words, shifts)]
+
+
+def screen_components(points, loaded, s):
+    """X, Y, Z of a patch's object words, or in perspective X, Y, Z, W."""
+    return [component(p) for p in screen_words(points, loaded, s)]

@@ -14,11 +14,28 @@ SPHERES = ((-68813, 39322, 0), (62259, 77332, 19661), (-49152, -73400, 13107),
 FLOOR = ((-196608, -127795, 196608), (393216, 0, 0), (0, 0, -393216))
 MATERIAL = (215, 90, 5)
 AMBIENT, UNIT = 90, 65536
+SIX = [tuple(sign * (axis == k) for k in range(3)) for axis in range(3) for sign in (1, -1)]
+VERTICES = ((-196608, -127795, 196608), (196608, -127795, 196608), (196608, -127795, -196608),
+            (-196608, -127795, -196608),
+            *(tuple(c + 70000 * k for c, k in zip((62259, 20000, 19661), way)) for way in SIX),
+            (-150000, 110000, -90000), (170000, 130000, -120000), (-20000, 122000, 100000))
 
 
 def scene(name):
-    patches = [patch for centre in SPHERES for patch in sphere(centre, 47186)]
+    """A scene's patches"""
+    spheres = SPHERES[:1] if name == "mesh" else SPHERES
+    patches = [patch for centre in spheres for patch in sphere(centre, 47186)]
     return patches + ([plane(*FLOOR)] if name == "floor" else [])
+
+
+def mesh(name):
+    """A scene's vertices, and its facets: three vertices, and three normals or None"""
+    if name != "mesh":
+        return (), []
+    normals = [tuple(16384 * k for k in way) for way in SIX]
+    ways = [(x, 2 + y, 4 + z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    return VERTICES, [((0, 1, 2), None), ((0, 2, 3), None), ((10, 11, 12), None),
+                      *(([4 + k for k in three], [normals[k] for k in three]) for three in ways)]
 
 
 def angles(azimuth, elevation):
@@ -46,8 +63,10 @@ class Frame:
     """A frame's buffers, each made when it is asked for."""
 
     def __init__(self, scene_name, observer, light, s):
-        world = scene(scene_name)
-        self.s, (self.patches, self.fraction) = s, object_words(world)
+        vertices, facets = mesh(scene_name)
+        world = [*scene(scene_name), vertices]  # lists of places
+        self.s, ((*self.patches, vertices), self.fraction) = s, object_words(world)
+        self.facets = [([vertices[k] for k in three], normals) for three, normals in facets]
         self.observer, self.light = view(observer, world), view(light, world)
         self.made, self.counts = {}, {}
 
@@ -57,8 +76,8 @@ class Frame:
         return self.made[buffer]
 
     def make_light_z(self):
-        self.made["light_z"], _, self.counts["light"] = draw(self.patches, self.fraction,
-                                                             self.light, self.s)
+        self.made["light_z"], _, self.counts["light"] = draw(
+            self.patches, self.facets, self.fraction, self.light, self.s)
 
     def matrix(self):
         return shadow_matrix(self.observer, self.light, self.s)
@@ -69,7 +88,7 @@ class Frame:
                   else plain_record)
         shading = Shading(self.observer, self.light, self.fraction, s.ambient, MATERIAL)
         planes, rest, self.counts["observer"] = draw(
-            self.patches, self.fraction, self.observer, s, record, shading)
+            self.patches, self.facets, self.fraction, self.observer, s, record, shading)
         self.made["observer_z"] = planes
         self.made["intensity"], self.made["direct"], *mask = rest
         if correct:

@@ -67,11 +67,11 @@ class Shading:
         self.light, self.viewer = (Toward(v, object_fraction) for v in (light, observer))
         self.ambient, (self.diffuse, self.specular, self.shininess) = ambient, material
 
-    def levels(self, normal, to_light, to_viewer, in_shadow):
-        """(intensity, direct) of a leaf"""
+    def levels(self, normal, to_light, to_viewer, in_shadow, turn=True):
+        """(intensity, direct) of a leaf; a facet's normal has been turned before."""
         length = max(1, math.isqrt(dot(normal, normal)))
         n_dot_l, n_dot_v = dot(normal, to_light) // length, dot(normal, to_viewer) // length
-        if n_dot_v < 0:
+        if turn and n_dot_v < 0:
             n_dot_l, n_dot_v = -n_dot_l, -n_dot_v
         total = self.diffuse * self.ambient << 14
         ambient_level = min(255, half_up(total, 1 << 22))

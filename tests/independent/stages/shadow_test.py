@@ -68,16 +68,16 @@ def correct_record(light_z, matrix, s, dither):
 
     def of_block(levels):
         def record(sample, code):
-            px, py, x, y, _, i, j = sample
+            px, py, x, y, _, *where = sample
             words = [shift_down(v - off, 13 - s.input_fraction) for v in (x, y)]
             point = unit(*words, pixel_words(px, py, code, s)[2])
             shadow = light_map.in_shadow(point,
                                          dither[py * s.size_px + px] if dither else (0, 0))
-            return (*levels(i, j, shadow), 255 if shadow else 0)
+            return (*levels(*where, shadow), 255 if shadow else 0)
         return record
     return of_block
 
 
 def plain_record(levels):
     """Of the post-process: (intensity, direct), with nothing in shadow."""
-    return lambda sample, code: levels(sample[5], sample[6])
+    return lambda sample, code: levels(*sample[5:])

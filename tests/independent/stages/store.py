@@ -2,17 +2,39 @@
 from .blocks import Counts, blocks, component, screen_components
 from .samples import block_corners, samples, z_code
 from .transform_unit import Loaded
+from .triangles import facet_levels, own_normal, triangle_samples, triangles, vertices
 
 
-def draw(patches, object_fraction, view, s, record=None, shading=None):
-    """The planes of a view of the object words, and counts.
+def draw(patches, facets, object_fraction, view, s, record=None, shading=None):
+    """The planes of a view of the object words, and counts of patches.
 
-    Without `record` the store keeps codes only, as the light's does.  Else record(sample, code,
-    block) is what is compared after the code: intensity, direct and any others.
+    A facet is three places in object words, and three normals or None.  Without `record` the store
+    keeps codes only, as the light's does.  Else record(levels)(sample, code) is what is compared
+    after the code: intensity, direct and any others.
     """
     planes = [s.background_code] * (s.size_px * s.size_px)
     stored = {}
     counts = Counts()
+
+    def store(found, shaded):
+        """Puts the samples into the store, and returns how many have a code."""
+        number = 0
+        for sample in found:
+            px, py = sample[:2]
+            code, p = z_code(sample[4], s), py * s.size_px + px
+            if code is None:
+                continue
+            number += 1
+            if code > planes[p]:
+                continue
+            if not record:
+                planes[p] = code
+                continue
+            values = shaded(sample, code)
+            if code < planes[p] or p not in stored or values < stored[p]:
+                planes[p], stored[p] = code, values
+        return number
+
     loaded = Loaded(view.world_to_screen(s), object_fraction, 1 << 14, s)
     screen = 3 if loaded.affine else 4
     for patch in patches:
@@ -26,20 +48,13 @@ def draw(patches, object_fraction, view, s, record=None, shading=None):
                 continue
             counts.drawn += 1
             shaded = record and record(shading.block(block[screen:]))
-            for sample in samples(grids, s):
-                px, py = sample[:2]
-                code, p = z_code(sample[4], s), py * s.size_px + px
-                if code is None:
-                    continue
-                counts.samples += 1
-                if code > planes[p]:
-                    continue
-                if not record:
-                    planes[p] = code
-                    continue
-                values = shaded(sample, code)
-                if code < planes[p] or p not in stored or values < stored[p]:
-                    planes[p], stored[p] = code, values
+            counts.samples += store(samples(grids, s), shaded)
+    for points, normals in facets:
+        facet = vertices(points, normals, loaded, s)
+        for triangle in triangles(facet, loaded.affine, s) or ():
+            shaded = record and record(facet_levels(shading, own_normal(facet),
+                                                    normals is not None, triangle))
+            store(triangle_samples(triangle, s), shaded)
     width = len(next(iter(stored.values()), (0, 0)))
     rest = [[stored[p][k] if p in stored else 0 for p in range(len(planes))]
             for k in range(width)]

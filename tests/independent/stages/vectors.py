@@ -6,9 +6,11 @@ from .filters import darken, dequantize, low_pass
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits
 from .samples import leaf_corners, triangle_depth, z_code
 from .settings import Settings
-from .shading import Shading, at_leaf, corner_normals, unit14
+from .shading import Shading, Toward, at_leaf, corner_normals, unit14
 from .shadow_test import LightMap, pixel_words
 from .transform_unit import Loaded, ScreenUnit
+from .triangles import (clockwise, facet_levels, own_normal, triangle_samples, weights,
+                        within_guard_band)
 from .views import View, axes_from_angles, axes_from_points, observer_to_light
 from .words import cosine, decimal, object_words, plane, sine, sphere
 
@@ -163,6 +165,32 @@ def shading(w):
     return shade.levels(normal, light, viewer, w[0] == "shadow")
 
 
+def triangles(w):
+    kind = w.pop(0)
+    if kind == "triangle":
+        triangle = clockwise(*triples(take(w, 9)))
+        found = list(triangle_samples(triangle, Settings(xy_bits=4))) if triangle else []
+        ends = [(px, py, z) for px, py, _, _, z, *_ in (found[0], found[-1])] if found else []
+        return flat([len(found), [sum(sample[4] for sample in found)] if found else [], ends])
+    if kind == "polygon":
+        s = Settings(xy_bits=int(w.pop(0)), z_bits=int(w.pop(0)))
+        affine = w.pop(0) == "affine"
+        left = within_guard_band([tuple(take(w, 10)) for _ in range(3)], affine, s)
+        return flat([len(left), left])
+    given = w.pop(0)
+    facet = [tuple(take(w, 10)) for _ in range(3)]
+    shade = Shading.__new__(Shading)
+    shade.light, shade.viewer = Toward.__new__(Toward), Toward.__new__(Toward)
+    for toward in (shade.light, shade.viewer):
+        words = take(w, 3)
+        toward.direction, toward.eye = words, words if given == "points" else None
+    shade.ambient, shade.diffuse, shade.specular, shade.shininess = take(w, 4)
+    triangle = clockwise(*facet)
+    levels = facet_levels(shade, own_normal(facet), kind == "smooth", triangle)
+    e = weights(triangle, take(w, 2))
+    return [*levels(*e), *levels(*e, True)]
+
+
 def noise(w):
     xy_bits, fraction_bits, shape = int(w[0]), int(w[1]), w[2]
     size, seed, px, py = (int(x) for x in w[3:])
@@ -207,8 +235,8 @@ def composite(w):
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
           "matrices": matrices, "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
-          "noise": noise, "shadow_test": shadow_test, "dequantize": dequantized,
-          "low_pass": low_passed, "composite": composite}
+          "triangles": triangles, "noise": noise, "shadow_test": shadow_test,
+          "dequantize": dequantized, "low_pass": low_passed, "composite": composite}
 
 
 def check(stage):
