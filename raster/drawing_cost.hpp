@@ -1,8 +1,8 @@
 // What drawing a view costs, in operations: the counts of a drawing times what each thing costs.
 //
 // The constants count the additions, products and quotients in the formulas of hw/MACHINE.md,
-// sections 6, 7, 9, 14, 21 and 22, component by component; the tables there (sections 16, 21 and 22) are
-// these.
+// sections 6, 7, 9, 14, 21 and 22, component by component; the tables there (sections 16, 21 and
+// 22) are these.
 #pragma once
 
 #include "hw/operations.hpp"

@@ -12,8 +12,8 @@ using fixed::Rounding;
 
 std::uint64_t word(std::int64_t v) { return static_cast<std::uint64_t>(v); }
 
-// How far a place lies within plane k of the band: even ones limit X + limit W, odd ones limit W - X
-// of the axes Z, X, Y. Words of 55 bits and limits of 31 leave it in 63 bits.
+// How far a place lies within plane k of the band: X + limit W of even ones, limit W - X of odd
+// ones, for the axes Z, X, Y. Words of 55 bits and limits of 31 leave it in 63 bits.
 constexpr std::size_t planes = 6;
 
 std::int64_t within(const ScreenPlace& p, const GuardBand& band, std::size_t plane) {
@@ -137,9 +137,10 @@ FacetShading::Weights FacetShading::weights(const Sample& s) const {
 }
 
 const UnitVector& FacetShading::side() const {
-    if (!side_)
+    if (!has_side_)
         side_ = unit_vector(cross(minus(facet_[1], facet_[0]), minus(facet_[2], facet_[0])));
-    return *side_;
+    has_side_ = true;
+    return side_;
 }
 
 Shade FacetShading::shade(const Sample& s, bool in_shadow) const {

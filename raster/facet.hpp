@@ -22,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace umbra78::raster {
 
@@ -74,7 +73,8 @@ private:
     bool flat_;
     const ShadingSpec& spec_;
     const Material& material_;
-    mutable std::optional<UnitVector> side_;  // the facet's own normal, made when it is needed
+    mutable bool has_side_ = false;
+    mutable UnitVector side_{};  // the facet's own normal, made when it is needed
 };
 
 // Everything of a facet but its samples.

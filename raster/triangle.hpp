@@ -97,8 +97,8 @@ private:
     bool has_step_ = false;
 };
 
-// The lines and pixels whose centres lie in the corners' box, less its lower side, which no triangle
-// owns; none if first > last.
+// The lines and pixels whose centres lie in the corners' box, less its lower side, which no
+// triangle owns; none if first > last.
 struct CentreBox {
     std::int32_t x0, x1, y0, y1;
 };

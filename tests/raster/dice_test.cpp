@@ -39,11 +39,13 @@ DiceLevels uniform(int level) { return {level, {level, level, level, level}}; }
 
 // By de Casteljau's algorithm in rationals: another way to the same point.
 std::int64_t exact_word(const Patch& p, std::int32_t World::*axis, int i, int j, int k) {
+    const auto at = [](std::array<Rational, 4>& c, int a) -> Rational& {
+        return c[static_cast<std::size_t>(a)];
+    };
     const auto curve = [&](std::array<Rational, 4> c, int n) {
         for (int last = 3; last > 0; --last)
             for (int a = 0; a < last; ++a)
-                c[std::size_t(a)] = c[std::size_t(a)] + (c[std::size_t(a) + 1] - c[std::size_t(a)]) *
-                                                           Rational(n, k);
+                at(c, a) = at(c, a) + (at(c, a + 1) - at(c, a)) * Rational(n, k);
         return c[0];
     };
     std::array<Rational, 4> rows;

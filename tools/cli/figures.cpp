@@ -1,5 +1,5 @@
-// umbra78 figures: draws figures 1 to 8 and the gallery, prints their errors and cost, compares with
-// the goldens.
+// umbra78 figures: draws figures 1 to 8 and the gallery, prints their errors and cost, and compares
+// them with the goldens.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/console.hpp"
@@ -224,6 +224,7 @@ void run(const Options& options, int& exit_code) {
     FileSet files;
     const Path out = options.out;
     files.make_folder(out);  // before the work, for its error
+    if (options.check) require_goldens(options.goldens);
     files.make_folder(out / "gallery");
     const Drawn drawn{{}, draw_scene_pictures(UMBRA78_SOURCE_DIR "/tools/scenes")};
     const FigureSet& set = drawn.set;

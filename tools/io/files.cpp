@@ -73,10 +73,12 @@ FileSet::~FileSet() {
 
 void FileSet::make_folder(const Path& path) {
     std::error_code error;
+    std::vector<Path> made;  // the innermost first, and before those of earlier calls
     for (Path missing = std::filesystem::absolute(path).lexically_normal();
          !std::filesystem::exists(missing, error) && missing.has_relative_path();
          missing = missing.parent_path())
-        folders_.push_back(missing);
+        made.push_back(missing);
+    folders_.insert(folders_.begin(), made.begin(), made.end());
     std::filesystem::create_directories(path, error);
     if (!error && !std::filesystem::is_directory(path))
         error = std::make_error_code(std::errc::not_a_directory);

@@ -60,12 +60,16 @@ void bless(const Path& folder, std::span<const Buffer> buffers, FileSet& set) {
     write_file(folder / "hashes.txt", std::as_bytes(std::span(hashes)), &set);
 }
 
-std::vector<GoldenCheck> check(const Path& folder, std::span<const Buffer> buffers) {
-    const Hashes hashes = read_hashes(folder);
-    if (hashes.empty())
+void require_goldens(const Path& folder) {
+    if (read_hashes(folder).empty())
         throw std::runtime_error(
             fmt::format("there are no goldens in '{}'; name their folder with --goldens, or make "
                         "them with --bless", folder.string()));
+}
+
+std::vector<GoldenCheck> check(const Path& folder, std::span<const Buffer> buffers) {
+    require_goldens(folder);
+    const Hashes hashes = read_hashes(folder);
     std::vector<GoldenCheck> checks;
     for (const Buffer& buffer : buffers) checks.push_back(check(folder, buffer, hashes));
     return checks;

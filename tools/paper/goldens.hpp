@@ -23,7 +23,10 @@ struct GoldenCheck {
     std::string problem;  // one line; empty if the buffer equals its golden
     std::vector<std::uint8_t> picture;  // rgb, where pixels differ
 };
-// One check for each buffer. Throws std::runtime_error if the folder holds no goldens at all.
+// Throws std::runtime_error if the folder holds no goldens at all.
+void require_goldens(const Path& folder);
+
+// One check for each buffer; require_goldens() among them.
 std::vector<GoldenCheck> check(const Path& folder, std::span<const Buffer>);
 
 }  // namespace umbra78::tools

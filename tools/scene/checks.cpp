@@ -50,8 +50,8 @@ void warn_of_depths(const LoadedScene& scene, const raster::View& view, const st
     const auto add = [&](const char* key, std::size_t patches, const std::string& what,
                          const std::string& remedy) {
         warnings.push_back({key, static_cast<double>(patches),
-                            fmt::format("{} of {} {} {} {}; {}{}", patches, all, kinds_of_surfaces(scene),
-                                        what, loses, remedy,
+                            fmt::format("{} of {} {} {} {}; {}{}", patches, all,
+                                        kinds_of_surfaces(scene), what, loses, remedy,
                                         fits ? ", or leave near and far out" : "")});
     };
     if (cut.before > 0) {

@@ -66,7 +66,8 @@ raster::World less(const raster::World& a, const raster::World& b) {
 }
 
 // A point as given, less the origin; left out, it is the middle of the scene.
-raster::World read_target(const TableReader& in, const Surfaces& surfaces, const raster::World& origin) {
+raster::World read_target(const TableReader& in, const Surfaces& surfaces,
+                          const raster::World& origin) {
     return in.find("target") ? less(in.point("target", origin), origin) : box_centre(surfaces);
 }
 
@@ -111,8 +112,8 @@ raster::World read_origin(const TomlNode& root, const Surfaces& surfaces, FirstE
     return holds && !error.any() && !later.any() ? origin : raster::World{};
 }
 
-raster::View read_observer(const TomlNode& root, const Surfaces& surfaces, const raster::World& origin,
-                           FirstError& error) {
+raster::View read_observer(const TomlNode& root, const Surfaces& surfaces,
+                           const raster::World& origin, FirstError& error) {
     const TomlNode none{.where = root.where};
     const TomlNode* node = root.find("observer");
     const TableReader in(node ? *node : none, scene_table("observer"), error);

@@ -17,7 +17,8 @@ raster::View read_observer(const TomlNode& root, const Surfaces&, const raster::
                            FirstError&);
 
 // [light]: its kind "directional" makes an orthographic view, "point" a perspective one.
-raster::View read_light(const TomlNode& root, const Surfaces&, const raster::World& origin, FirstError&);
+raster::View read_light(const TomlNode& root, const Surfaces&, const raster::World& origin,
+                        FirstError&);
 
 // Moves the overrides observer.KEY and light.KEY into the tree, in place of what the file says.
 // Returns the others, the settings, as a table.

@@ -1,7 +1,7 @@
 // Which depths a view's window shows, of the surfaces themselves: what near and far cut off.
 //
-// A patch lies in the hull of its control points; a facet is taken for a patch with a side that is a
-// point. Where a hull reaches out of near .. far the patch
+// A patch lies in the hull of its control points; a facet is taken for a patch with a side that is
+// a point. Where a hull reaches out of near .. far the patch
 // is halved (de Casteljau) until its pieces are beside the window, within near .. far, or small: a
 // 32nd of the window wide and, in perspective, a 32nd of their depth deep. Of all pieces the
 // corners are measured, which are points of the surface. So what is reported as cut is cut; what is

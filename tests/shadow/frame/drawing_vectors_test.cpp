@@ -318,6 +318,11 @@ void add_triangles(Inputs& in, Lines& lines) {
             for (std::int32_t* v : {&a.x, &a.y, &b.x, &b.y, &c.x, &c.y})
                 *v = static_cast<std::int32_t>(fixed::floor_shift(std::int64_t{*v}, 12)) * half;
         if (k == 5) c = {2 * b.x - a.x, 2 * b.y - a.y, 0};
+        if (k == 6 || k == 7) {  // a level side through pixels' centres, at the top or the bottom
+            a = {-7 * half, (k == 6 ? -5 : 7) * half, a.z};
+            b = {9 * half, a.y, b.z};
+            c = {3 * half, (k == 6 ? 7 : -5) * half, c.z};
+        }
         int count = 0;
         std::int64_t sum = 0;
         raster::Sample first{}, last{};
@@ -347,13 +352,15 @@ void add_polygons(Inputs& in, Lines& lines) {
         line << "polygon" << spec.xy_bits << spec.z_bits << (affine ? "affine" : "perspective");
         for (std::size_t v = 0; v < 3; ++v) {
             raster::FacetVertex& at = p.vertex[v];
-            const std::int64_t w = affine ? 1 : in.between(-1, 3) * in.between(1, 1 << 20);
+            const std::int64_t w = affine || k >= 36 ? 1
+                                                     : in.between(-1, 3) * in.between(1, 1 << 20);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const std::int64_t limit = band[axis] * std::max<std::int64_t>(w, 1);
                 at.screen[axis] = in.between(-2 * limit, 2 * limit);
                 at.world[axis] = in.word(22);
                 at.normal[axis] = in.between(-16384, 16384);
             }
+            if (k >= 36) at.screen[v] = v == k % 3u ? band[v] * w : -band[v] * w;  // on a plane
             at.screen[3] = w;
             line << at;
         }
@@ -387,6 +394,7 @@ void add_shades(Inputs& in, Lines& lines) {
                 v[c].normal[axis] = in.between(-16384, 16384);
             }
             v[c].screen = {0, 0, 0, k % 5 == 0 ? 1 : in.between(1, std::int64_t{1} << 43)};
+            if (k % 7 == 3 && c == 1) v[c].screen[3] = in.between(1, 1 << 20);
             facet[c] = v[c].world;
             line << t.screen[c] << v[c].screen[3];
             for (const std::int64_t n : v[c].world) line << n;
@@ -424,8 +432,8 @@ TEST(Vectors, Triangles) {
     add_shades(in, lines);
     check_vectors("triangles",
                   {"Section 21. xy_bits is 4 for triangles.",
-                   "triangle a (x y z) b c -> number of samples, then the sum of their Z, and px py "
-                   "Z of the first and of the last, line by line from the top",
+                   "triangle a (x y z) b c -> number of samples, then the sum of their Z, and px "
+                   "py Z of the first and of the last, line by line from the top",
                    "polygon xy_bits z_bits affine|perspective, three vertices: X Y Z W, object "
                    "place x 2^6, normal -> number of vertices left in the guard band, and these",
                    "flat|smooth directions|points, three corners: x y z W, object place x 2^6, "

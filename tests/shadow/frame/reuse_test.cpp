@@ -72,8 +72,9 @@ using Expected = std::map<std::string_view, std::string>;
 const Expected post_process_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "LDO"},
     {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""},
-    {"surface", ""}, {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"}, {"background", "LDO"},
-    {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"}, {"dither_size", "LDO"},
+    {"surface", ""}, {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"},
+    {"background", "LDO"}, {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"},
+    {"dither_size", "LDO"},
     {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
     {"composite", "LDOM"}, {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
 const Expected correct_form{

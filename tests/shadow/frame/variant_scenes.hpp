@@ -85,7 +85,8 @@ private:
     raster::View in_depths(raster::View v, std::int32_t near, std::int32_t far) const {
         v.near_depth = near;
         v.far_depth = far;
-        if (near == far) raster::fit_depth(v, raster::depth_range(v, raster::Surfaces{patches, mesh()}));
+        const raster::Surfaces surfaces{patches, mesh()};
+        if (near == far) raster::fit_depth(v, raster::depth_range(v, surfaces));
         return v;
     }
 

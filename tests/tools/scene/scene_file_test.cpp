@@ -217,8 +217,8 @@ TEST(SceneFile, WarnsOfWhatTheViewsDoNotHold) {
               "= 0.5, and are cut off; set observer.far = 1.02, or leave near and far out");
     EXPECT_EQ(warning({"observer.target=[9, 0, 0]"}), "");  // fitted to hold it
     EXPECT_EQ(warning({"observer.extent=0.01"}),
-              "a.toml: every surface reaches out of the picture; observer.extent = 1 shows the whole "
-              "scene, or leave it out and more");  // object words are coarser than these pixels
+              "a.toml: every surface reaches out of the picture; observer.extent = 1 shows the "
+              "whole scene, or leave it out and more");  // object words are coarser than pixels
     EXPECT_EQ(warning({"light.kind=point", "light.position=[0.5, 0, 0]"}),
               "a.toml: 16 of 32 patches lie beside or behind the light and cast no shadow; move "
               "light.position out of the scene");
