@@ -78,7 +78,7 @@ struct DrawSetup {
     std::span<const Material> materials;  // at least as many as the patches name
     ShadingSpec shading;                  // read only by a sink that shades
     PatchForm form = PatchForm::catmull;
-    int dice_levels = 4;              // at most so many
+    int dice_levels = 3;              // at most so many
     std::int64_t dice_tolerance = 0;  // world words
     Facing facing = Facing::both;
     hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point

@@ -3,7 +3,7 @@
 namespace umbra78::raster::detail {
 namespace {
 
-constexpr std::int64_t pixel = std::int64_t{1} << raster_fraction;
+constexpr std::int64_t pixel = pixel_units;
 
 std::uint64_t word(std::int64_t v) { return static_cast<std::uint64_t>(v); }
 

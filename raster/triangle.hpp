@@ -114,30 +114,35 @@ inline CentreBox centre_box(const Corner& a, const Corner& b, const Corner& c,
             std::min(last_pixel(max_y - 1, half_px), last)};
 }
 
-// Whether a place of the closed half plane of an edge, in which the triangle lies, is covered.
-constexpr bool covers(const Corner& p, const Corner& q, std::int64_t x, std::int64_t y) {
-    const std::int64_t inside = turn(p, q, x, y);
-    const bool top_or_left = q.y < p.y || (q.y == p.y && q.x > p.x);
-    return inside > 0 || (inside == 0 && top_or_left);
-}
+// An edge's value at a pixel's centre, less what the top-left rule takes from edges that are
+// neither: a centre is covered where none of the three is negative. It steps by additions.
+struct EdgeValue {
+    std::int64_t value, right, down;
 
-constexpr bool covers(const Corner& a, const Corner& b, const Corner& c, std::int64_t x,
-                      std::int64_t y) {
-    return covers(a, b, x, y) && covers(b, c, x, y) && covers(c, a, x, y);
-}
+    EdgeValue(const Corner& p, const Corner& q, std::int32_t x, std::int32_t y)
+        : value(turn(p, q, x, y) - (q.y < p.y || (q.y == p.y && q.x > p.x) ? 0 : 1)),
+          right((std::int64_t{p.y} - q.y) * pixel_units),
+          down((std::int64_t{q.x} - p.x) * pixel_units) {}
+};
 
-// The samples of a triangle whose box holds a few centres: each is tested by itself, which takes
-// less than what the steps need to begin.
+// The samples of a triangle whose box holds few centres: each is tested by itself, which takes less
+// than what the edges' crossings need to begin.
 template <class Emit>
 void sample_few_centres(const Corner& a, const Corner& b, const Corner& c, const CentreBox& box,
                         std::int32_t half, DepthPlane& plane, Emit&& emit) {
+    const std::int32_t x0 = pixel_centre(box.x0, half), y0 = pixel_centre(box.y0, half);
+    EdgeValue ab(a, b, x0, y0), bc(b, c, x0, y0), ca(c, a, x0, y0);
     for (int py = box.y0; py <= box.y1; ++py) {
+        std::int64_t e = ab.value, f = bc.value, g = ca.value;
         for (int px = box.x0; px <= box.x1; ++px) {
-            const std::int32_t x = pixel_centre(px, half), y = pixel_centre(py, half);
-            if (!covers(a, b, c, x, y)) continue;
-            plane.start(x, y, false);
-            emit(Sample{px, py, x, y, plane.z(), 0, 0});
+            if ((e | f | g) >= 0) {
+                const std::int32_t x = pixel_centre(px, half), y = pixel_centre(py, half);
+                plane.start(x, y, false);
+                emit(Sample{px, py, x, y, plane.z(), 0, 0});
+            }
+            e += ab.right, f += bc.right, g += ca.right;
         }
+        ab.value += ab.down, bc.value += bc.down, ca.value += ca.down;
     }
 }
 
@@ -158,7 +163,7 @@ std::uint64_t sample_triangle(Corner a, Corner b, Corner c, const hw::MachineSpe
         area = -area;
     }
     detail::DepthPlane plane(a, b, c, area);
-    if (box.x1 - box.x0 < 3 && box.y1 - box.y0 < 3) {
+    if (box.x1 - box.x0 < 8 && box.y1 - box.y0 < 8) {
         detail::sample_few_centres(a, b, c, box, half, plane, emit);
         return static_cast<std::uint64_t>(box.y1 - box.y0 + 1);
     }

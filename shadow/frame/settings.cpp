@@ -77,7 +77,7 @@ constexpr std::array table{
         "perspective: round at the quotient, or x and w before it (to show what that costs)"),
     choice<UMBRA78_ACCESS(surface)>(
         "surface", surface_names,
-        "patches: subdivided to the pixel, or diced to triangles, which is faster and coarser"),
+        "patches: subdivided to the pixel, or diced to triangles, which is coarser"),
     whole<UMBRA78_ACCESS(dice_levels)>(
         "dice_levels", "levels", 0, 5,
         "a diced patch has at most 2^levels cells a side; flat ones take fewer"),

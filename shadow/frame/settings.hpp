@@ -26,7 +26,7 @@ enum class Arithmetic : std::uint8_t { fixed, ap120b };
 // base class; the members here are what the other stages of a frame read.
 struct Settings : TimedTest {
     raster::PatchForm surface = raster::PatchForm::catmull;
-    std::int32_t dice_levels = 4;  // a diced patch has at most 2^levels cells a side
+    std::int32_t dice_levels = 3;  // a diced patch has at most 2^levels cells a side
     raster::Facing facing = raster::Facing::both;
     raster::Sampling sampling = raster::Sampling::centre;
     std::int64_t bias_q16 = 64 << 16;  // in bias_unit, Q.16

@@ -153,6 +153,7 @@ TEST(Dice, PatchesOfDifferentLevelsLeaveNoCrack) {
         const View view = umbra78::test::orthographic(0, 0, 1.4);
         umbra78::test::Drawing<> drawing(spec);
         drawing.form = PatchForm::diced;
+        drawing.dice_levels = 4;
         drawing.dice_tolerance = 40;
         drawing.draw(sheet, view, Sampling::centre);
         const DiceLevels a = dice_levels(sheet[0], 4, 40), b = dice_levels(sheet[1], 4, 40);

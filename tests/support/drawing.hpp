@@ -101,6 +101,7 @@ public:
         raster::DrawSetup setup{spec_, {}, object, sampling, materials, {}};
         EXPECT_EQ(raster::load_view(view, spec_, object, setup.matrix), hw::LoadStatus::ok);
         setup.form = form;
+        setup.dice_levels = dice_levels;
         setup.dice_tolerance = dice_tolerance;
         setup.facing = facing;
         setup.shading.ambient_q8 = ambient_q8;
@@ -119,6 +120,7 @@ public:
     std::vector<raster::Material> materials{raster::Material{}};
     std::int32_t ambient_q8 = 77;
     raster::PatchForm form = raster::PatchForm::catmull;
+    int dice_levels = 4;
     std::int64_t dice_tolerance = 0;
     raster::Facing facing = raster::Facing::both;
 

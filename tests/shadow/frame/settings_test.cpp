@@ -139,7 +139,7 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"accumulator_bits", 64}, {"product_rounding", 0},
         {"coefficient_rounding", 6}, {"depth_rounding", 3},
         {"divide_order", 0},    {"sampling", 1},
-        {"surface", 0},         {"dice_levels", 4},
+        {"surface", 0},         {"dice_levels", 3},
         {"facing", 0},
         {"registration", 0},    {"lookup", 0},
         {"background", 0},      {"bias", 64 << 16},
