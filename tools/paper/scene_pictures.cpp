@@ -23,7 +23,18 @@ constexpr ScenePicture table[] = {
      .figure = true},
     {.name = "fig7b", .shows = "the shadow of a smile", .scene = "smile.toml", .figure = true},
     {.name = "fig8", .shows = "a robot and its shadow", .scene = "robot.toml", .figure = true},
+    {.name = "teapot", .shows = "Newell's teapot, its own shadow", .scene = "teapot.toml"},
+    {.name = "teapot_diced", .shows = "the same, diced to triangles", .scene = "teapot.toml",
+     .set = "surface=diced"},
+    {.name = "cup", .shows = "teacup, saucer and spoon", .scene = "cup.toml"},
+    {.name = "bunny", .shows = "a bunny of 69 666 triangles", .scene = "bunny.toml",
+     .needs = "/usr/share/glmark2/models/bunny.obj"},
+    {.name = "knot", .shows = "a knot shadows itself", .scene = "knot.toml"},
+    {.name = "torus", .shows = "a torus with its moire", .scene = "torus.toml"},
+    {.name = "solids", .shows = "the solids", .scene = "solids.toml"},
+    {.name = "mesh", .shows = "awkward polygons, flat and smooth", .scene = "mesh.toml"},
     {.name = "lamp", .shows = "a lamp over a table", .scene = "lamp.toml"},
+    {.name = "corridor", .shows = "columns in steep perspective", .scene = "corridor.toml"},
 };
 
 // The observer's view is drawn once more by itself, for its time is that of a frame without shadow.

@@ -39,6 +39,7 @@ const std::vector<Model>& models() {
     static const std::vector<Model> all{
         {"robot", "a friendly machine, waving (figure 8)", robot_parts},
         {"smile", "lips and teeth (figure 7)", smile_parts},
+        {"knot", "a trefoil knot (gallery)", knot_parts},
     };
     return all;
 }

@@ -30,6 +30,7 @@ const Model* find_model(std::string_view name);  // nullptr: there is none
 
 std::vector<Part> robot_parts();
 std::vector<Part> smile_parts();
+std::vector<Part> knot_parts();
 
 std::vector<std::string> groups_of(const std::vector<Part>&);
 std::vector<Part> only_group(const std::vector<Part>&, std::string_view group);

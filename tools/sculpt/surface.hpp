@@ -27,7 +27,8 @@ Surface lathe(const Chain& profile, const Chain& section);
 //   dP/dt = p' (1 - r e.k) + r' e    e: from the path to the surface, k: the path's curvature
 //
 // which makes a bent tube's patch a torus's, to the error of an arc. The circle does not twist: it
-// is carried by two reflections (Wang et al. 2008).
+// is carried by two reflections (Wang et al. 2008). On a path that ends as it began it turns evenly
+// by what it takes for the last patches to meet the first.
 Surface tube(const Chain& path, const std::vector<double>& radii, int arcs = 4);
 
 // Through sections with equally many control points, one after another, smoothly.

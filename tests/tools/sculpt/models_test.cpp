@@ -161,7 +161,7 @@ TEST_F(Program, ModelSummaryAndFile) {
 TEST_F(Program, ModelsAndGroupsThatAreNotThere) {
     const Ran model = run("model teapot"), group = run("model robot --only bodi");
     EXPECT_EQ(model.exit_code, 1);
-    EXPECT_EQ(model.err, "umbra78: there is no model 'teapot'; known here: robot, smile\n");
+    EXPECT_EQ(model.err, "umbra78: there is no model 'teapot'; known here: robot, smile, knot\n");
     EXPECT_EQ(group.exit_code, 1);
     EXPECT_EQ(group.err, "umbra78: --only bodi: the model 'robot' has no such group; did you mean "
                          "'body'?\n");
