@@ -24,7 +24,7 @@ using nlohmann::ordered_json;
 
 struct Options {
     std::string out = "out", goldens = UMBRA78_SOURCE_DIR "/tests/goldens";
-    bool check = false, bless = false, json = false, words = false;
+    bool check = false, bless = false, json = false, words = false, no_scenes = false;
 };
 
 std::string picture_name(const Figure& figure) { return fmt::format("fig{}.png", figure.number); }
@@ -100,15 +100,20 @@ void write_contact_sheet(const Path& path, const Drawn& drawn, FileSet& files) {
 }
 
 void write_scenes(const Path& out, const Drawn& drawn, FileSet& files) {
-    std::vector<SheetCell> cells;
+    if (drawn.scenes.empty()) return;
+    std::vector<SheetCell> cells, smile_and_robot;
     for (const DrawnScene& d : drawn.scenes) {
         if (!d.left_out.empty()) continue;
+        if (d.of->name == "fig7b" || d.of->name == "fig8")
+            smile_and_robot.push_back({d.size_px, d.size_px, d.picture, {}});
         const Path folder = d.of->figure ? out : out / "gallery";
         write_png_gray(folder / fmt::format("{}.png", d.of->name), d.size_px, d.size_px, d.picture,
                        &files);
         if (!d.of->figure) cells.push_back(cell_of(d, std::string(d.of->shows)));
     }
-    write_sheet(out / "gallery" / "sheet.png", cells, {.columns = 3}, &files);
+    write_sheet(out / "gallery" / "sheet.png", cells,
+                {.columns = 5, .halved = true, .text_scale = 1}, &files);
+    write_sheet(out / "smile_and_robot.png", smile_and_robot, {.columns = 2}, &files);
 }
 
 double machine_ms(const FigureSet& set, const Figure& f) {
@@ -163,15 +168,16 @@ void print_rows(const FigureSet& set, const Statuses& goldens) {
 }
 
 void print_scenes(const Drawn& drawn, const Statuses& goldens) {
-    fmt::print("\n{:<9}{:<33}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", "picture", "shows", "hash",
+    if (drawn.scenes.empty()) return;
+    fmt::print("\n{:<14}{:<35}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", "picture", "shows", "hash",
                "golden", "patches", "triangles", "FS %", "FL %");
     for (const DrawnScene& d : drawn.scenes) {
         const std::string name(d.of->name);
         if (!d.left_out.empty()) {
-            fmt::print("{:<9}left out: {}\n", name, d.left_out);
+            fmt::print("{:<14}left out: {}\n", name, d.left_out);
             continue;
         }
-        fmt::print("{:<9}{:<33}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", name, d.of->shows, d.hash,
+        fmt::print("{:<14}{:<35}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", name, d.of->shows, d.hash,
                    goldens.at(name), d.patches, d.triangles,
                    percent(d.error ? d.error->all.false_shadow_rate() : Rate()),
                    percent(d.error ? d.error->all.false_light_rate() : Rate()));
@@ -225,8 +231,10 @@ void run(const Options& options, int& exit_code) {
     const Path out = options.out;
     files.make_folder(out);  // before the work, for its error
     if (options.check) require_goldens(options.goldens);
-    files.make_folder(out / "gallery");
-    const Drawn drawn{{}, draw_scene_pictures(UMBRA78_SOURCE_DIR "/tools/scenes")};
+    if (!options.no_scenes) files.make_folder(out / "gallery");
+    Drawn drawn;
+    if (!options.no_scenes)
+        drawn.scenes = draw_scene_pictures(UMBRA78_SOURCE_DIR "/tools/scenes");
     const FigureSet& set = drawn.set;
     const std::vector<Buffer> buffers = drawn.buffers();
     const std::vector<GoldenCheck> checks =
@@ -257,8 +265,9 @@ void run(const Options& options, int& exit_code) {
     if (options.bless) fmt::print("Goldens written to {}.\n", options.goldens);
     if (options.check && right)
         fmt::print("Every buffer equals its golden in {}.\n", options.goldens);
-    fmt::print("{}: fig1.png .. fig8.png, gallery/, sheet.png, highlights.png, samplings.png, "
-               "ap120b.png, figures.json; {:.0f} ms in all.\n", out.string(), total.count());
+    fmt::print("{}: fig1.png .. {}, sheet.png, highlights.png, samplings.png, ap120b.png, "
+               "figures.json; {:.0f} ms in all.\n",
+               out.string(), options.no_scenes ? "fig6.png" : "fig8.png, gallery", total.count());
 }
 
 }  // namespace
@@ -272,6 +281,8 @@ void add_figures_command(CLI::App& app, int& exit_code) {
         "--check", options->check,
         "Compare every stage's buffer with its golden; exit 1 if one differs");
     command.flag("--bless", options->bless, "Make new goldens of what was drawn").excludes(check);
+    command.flag("--no-scenes", options->no_scenes,
+                 "Leave out what is drawn from scene files: figures 7 and 8 and the gallery");
     command.flag("--json", options->json, "Print figures.json instead of the table");
     command.flag("--words", options->words,
                  "Print the core's header of the figures' scene instead, and draw nothing");

@@ -52,11 +52,13 @@ Hashes read_hashes(const Path& folder) {
 }
 
 void bless(const Path& folder, std::span<const Buffer> buffers, FileSet& set) {
-    std::string hashes;
+    Hashes all = read_hashes(folder);
     for (const Buffer& buffer : buffers) {
         write_pgm(picture_path(folder, buffer.name), buffer, &set);
-        hashes += fmt::format("{} {}\n", buffer.name, hash_of(buffer));
+        all[buffer.name] = hash_of(buffer);
     }
+    std::string hashes;
+    for (const auto& [name, hash] : all) hashes += fmt::format("{} {}\n", name, hash);
     write_file(folder / "hashes.txt", std::as_bytes(std::span(hashes)), &set);
 }
 

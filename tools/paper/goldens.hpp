@@ -1,4 +1,5 @@
-// Goldens: the buffer that every stage of figures 1 to 6 must produce, as PGM pictures and hashes.
+// Goldens: the buffer that every stage of figures 1 to 6 must produce, and the pictures of figures 7
+// and 8 and of the gallery, as PGM pictures and hashes.
 //
 // A folder holds `<buffer>.pgm` for each buffer and `hashes.txt` with lines of "buffer hash". The
 // pictures show where a buffer differs; the hashes are for programs that do not read pictures.
@@ -16,6 +17,7 @@ namespace umbra78::tools {
 using Hashes = std::map<std::string, std::string>;
 
 Hashes read_hashes(const Path& folder);  // empty if there is no hashes.txt
+// Keeps the goldens of buffers that are not there, such as a scene that was left out.
 void bless(const Path& folder, std::span<const Buffer>, FileSet&);
 
 struct GoldenCheck {

@@ -28,7 +28,7 @@ constexpr ScenePicture table[] = {
      .set = "surface=diced"},
     {.name = "cup", .shows = "teacup, saucer and spoon", .scene = "cup.toml"},
     {.name = "bunny", .shows = "a bunny of 69 666 triangles", .scene = "bunny.toml",
-     .needs = "/usr/share/glmark2/models/bunny.obj"},
+     .needs = "/usr/share/glmark2/models/bunny.obj", .package = "glmark2-data"},
     {.name = "knot", .shows = "a knot shadows itself", .scene = "knot.toml"},
     {.name = "torus", .shows = "a torus with its moire", .scene = "torus.toml"},
     {.name = "solids", .shows = "the solids", .scene = "solids.toml"},
@@ -59,7 +59,8 @@ DrawnScene draw(const ScenePicture& of, const std::string& folder) {
     DrawnScene made;
     made.of = &of;
     if (!of.needs.empty() && !std::filesystem::exists(of.needs)) {
-        made.left_out = fmt::format("{} is not here", of.needs);
+        made.left_out = fmt::format("there is no {}; the Debian package {} brings it", of.needs,
+                                    of.package);
         return made;
     }
     std::vector<std::string> set;

@@ -21,7 +21,8 @@ struct ScenePicture {
     std::string_view scene;  // a file of tools/scenes
     std::string_view set{};  // one override, or none
     bool figure = false;     // one of the paper's; else of the gallery
-    std::string_view needs{};  // a file that a package brings, without which it is left out
+    std::string_view needs{};  // a file, without which it is left out
+    std::string_view package{};  // that brings the file
 };
 
 std::span<const ScenePicture> scene_pictures();

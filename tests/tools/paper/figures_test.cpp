@@ -5,6 +5,7 @@
 #include "tools/io/text_formats.hpp"
 #include "tools/paper/figure_set.hpp"
 #include "tools/paper/figure_comparisons.hpp"
+#include "tools/paper/scene_pictures.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 
 namespace umbra78::tools {
@@ -148,11 +150,39 @@ TEST_F(Goldens, WhatIsMissingOrDamagedIsNamed) {
                             "': there is no such file; give a binary PGM (P5) of 8 or 16 bits");
 }
 
+// A golden of what was not drawn now stays.
+TEST_F(Goldens, BlessingKeepsWhatWasLeftOut) {
+    const std::vector<Buffer> all = figures().buffers();
+    FileSet set;
+    bless(folder, std::span(all).first(2), set);
+    set.commit();
+    EXPECT_EQ(read_hashes(folder).size(), all.size());
+    EXPECT_EQ(problems(), Found{});
+}
+
+// A scene without its package's file is left out with the remedy; the others have all columns.
+TEST(ScenePictures, HaveNamesThatFitTheirTable) {
+    std::set<std::string_view> names;
+    int figures = 0;
+    for (const ScenePicture& p : scene_pictures()) {
+        EXPECT_TRUE(names.insert(p.name).second) << p.name;
+        EXPECT_LE(p.name.size(), 13u);
+        EXPECT_LE(p.shows.size(), 34u);
+        EXPECT_EQ(p.needs.empty(), p.package.empty()) << p.name;
+        EXPECT_TRUE(fs::exists(fs::path(UMBRA78_SOURCE_DIR "/tools/scenes") / p.scene)) << p.scene;
+        EXPECT_TRUE(fs::exists(fs::path(UMBRA78_SOURCE_DIR "/tests/goldens") /
+                               (std::string(p.name) + ".pgm"))) << p.name;
+        figures += p.figure ? 1 : 0;
+    }
+    EXPECT_EQ(figures, 3);
+    EXPECT_GE(scene_pictures().size(), 11u);
+}
+
 // The command itself: bless, check, and the check of a planted difference.
 TEST_F(Goldens, TheCommandChecks) {
     const fs::path out = folder / "out", log = folder / "log";
     const auto run = [&](const std::string& options) {
-        const std::string command = UMBRA78_PROGRAM " figures --goldens '" + folder.string() +
+        const std::string command = UMBRA78_PROGRAM " figures --no-scenes --goldens '" + folder.string() +
                                     "' --out '" + out.string() + "' " + options + " >'" +
                                     log.string() + "' 2>&1";
         const int status = std::system(command.c_str());
