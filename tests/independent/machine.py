@@ -3,10 +3,10 @@
 
 It was written from hw/MACHINE.md and the files of hw/machine, not from the code: what figures 1 to
 6 need by someone who had not seen the project's code, to find out whether the text suffices; the
-rest (sections 12, 14, 18, other widths and settings) by the text's author, and section 21 again
-from the text alone.  It computes the worked examples of the text, the vectors of vectors/, and the
-buffers of the figures and of the variants, whose hashes it compares with those that section 15
-lists.
+rest (sections 12, 14, 18, other widths and settings) by the text's author, and sections 21 and 22
+again from the text alone.  It computes the worked examples of the text, the vectors of vectors/,
+and the buffers of the figures and of the variants, whose hashes it compares with those that section
+15 lists.
 Its modules are the document's sections, beside which they should be read: stages/.
 
     python3 machine.py [--machine PATH] [--all] [--only NAME]... [--jobs N] [--buffers DIR]

@@ -1,5 +1,6 @@
 """The figures' scene, the variants and their frames (section 15)."""
 from .ap120b import array_mask
+from .dicing import diced, tolerance
 from .filters import composite, dequantize, low_pass
 from .noise import dither_words
 from .settings import Settings, table
@@ -7,7 +8,7 @@ from .shading import Shading
 from .shadow_test import correct_record, plain_record, post_process
 from .store import draw
 from .views import View, axes_from_angles, axes_from_points, shadow_matrix
-from .words import object_words, plane, sphere
+from .words import object_place, object_words, plane, sphere
 
 SPHERES = ((-68813, 39322, 0), (62259, 77332, 19661), (-49152, -73400, 13107),
            (68813, -27525, 29491))
@@ -68,6 +69,11 @@ class Frame:
         self.s, ((*self.patches, vertices), self.fraction) = s, object_words(world)
         self.facets = [([vertices[k] for k in three], normals) for three, normals in facets]
         self.observer, self.light = view(observer, world), view(light, world)
+        if s.surface == "diced":
+            word, self.patches = tolerance(self.observer.extent_word, s), []
+            self.facets = [([object_place(p, self.fraction) for p in points], normals)
+                           for patch in world[:-1] for points, normals in diced(patch, word, s)
+                           ] + self.facets
         self.made, self.counts = {}, {}
 
     def __getattr__(self, buffer):

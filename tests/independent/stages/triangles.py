@@ -67,7 +67,7 @@ def triangles(facet, affine, s):
             return None
         xyz = zip(*(grid[0] for grid in divided))
         left = [(*corner, *vertex[3:]) for corner, vertex in zip(xyz, left)]
-    fan = (clockwise(left[0], b, c) for b, c in zip(left[1:], left[2:]))
+    fan = (clockwise(left[0], b, c, s.facing) for b, c in zip(left[1:], left[2:]))
     return [triangle for triangle in fan if triangle]
 
 
@@ -75,10 +75,12 @@ def cross(p, q, r):
     return (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1])
 
 
-def clockwise(a, b, c):
-    """The corners, b and c exchanged if the area is negative; None if it is 0."""
+def clockwise(a, b, c, facing="both"):
+    """The corners, b and c exchanged if the area is negative; None if nothing is drawn."""
     area = cross(a, b, c)
-    return ((a, b, c) if area > 0 else (a, c, b)) if area else None
+    if area == 0 or (area > 0 and facing == "front"):  # front is of section 22
+        return None
+    return (a, b, c) if area > 0 else (a, c, b)
 
 
 def weights(triangle, c0):

@@ -33,7 +33,8 @@ class View:
     """Axes are Q2.30 vectors; target, extent, distance (0: orthographic), near, far Q15.16."""
 
     def __init__(self, axes, extent, distance=0, depths=None, target=(0, 0, 0), patches=()):
-        self.axes, self.distance_word, self.target_words = axes, distance, target
+        self.axes, self.extent_word = axes, extent
+        self.distance_word, self.target_words = distance, target
         self.right, self.up, self.back = ([Fraction(x, 1 << 30) for x in v] for v in axes)
         self.extent, self.distance = Fraction(extent, 1 << 16), Fraction(distance, 1 << 16)
         self.perspective = distance > 0

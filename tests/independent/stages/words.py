@@ -78,8 +78,11 @@ def object_fraction(patches):
     return max(f for f in range(15) if f == 0 or half_up(largest, 1 << (16 - f)) <= 32767)
 
 
+def object_place(point, f):
+    return tuple(half_up(word, 1 << (16 - f)) for word in point)
+
+
 def object_words(patches):
     """All patches in one 16-bit format, and its fraction."""
     f = object_fraction(patches)
-    return [[tuple(half_up(word, 1 << (16 - f)) for word in point) for point in patch]
-            for patch in patches], f
+    return [[object_place(point, f) for point in patch] for patch in patches], f
