@@ -239,7 +239,7 @@ bool FacetWalk::to_corner(const ScreenPlace& p, Corner& out) const {
 
 bool FacetWalk::footprint(Footprint& out) const {
     ScreenBounds bounds{};
-    const auto [first, last] = std::pair(corner_.begin(), corner_.begin() + polygon_.count);
+    const auto first = corner_.begin(), last = first + polygon_.count;
     const auto hold = [&](Bounds& b, std::int32_t Corner::*member) {
         const auto [min, max] = std::minmax_element(
             first, last, [&](const Corner& p, const Corner& q) { return p.*member < q.*member; });

@@ -32,7 +32,7 @@ constexpr ScenePicture table[] = {
     {.name = "knot", .shows = "a knot shadows itself", .scene = "knot.toml"},
     {.name = "torus", .shows = "a torus with its moire", .scene = "torus.toml"},
     {.name = "solids", .shows = "the solids", .scene = "solids.toml"},
-    {.name = "mesh", .shows = "awkward polygons, flat and smooth", .scene = "mesh.toml"},
+    {.name = "mesh", .shows = "awkward polygons, flat, smooth", .scene = "mesh.toml"},
     {.name = "lamp", .shows = "a lamp over a table", .scene = "lamp.toml"},
     {.name = "corridor", .shows = "columns in steep perspective", .scene = "corridor.toml"},
 };
