@@ -120,6 +120,42 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
+// The line of the first byte that is not ASCII and stands neither in a text nor in a comment; 0 if
+// there is none. TOML has no such byte, and the parser's behaviour is undefined for some of them.
+int line_of_stray_byte(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    std::size_t k = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+    int line = 1;
+    char quote = 0;     // of the text that the place is in; '#' in a comment, 0 elsewhere
+    bool many = false;  // the text goes over lines
+    const auto three = [&](std::size_t at) {
+        return text.substr(at, 3) == std::string(3, text[at]);
+    };
+    for (; k < text.size(); ++k) {
+        const char c = text[k];
+        if (c == '\n') {
+            ++line;
+            if (!many) quote = 0;
+        } else if (quote == 0) {
+            if (static_cast<unsigned char>(c) >= 0x80) return line;
+            if (c != '#' && c != '"' && c != '\'') continue;
+            quote = c;
+            many = c != '#' && three(k);
+            if (many) k += 2;
+        } else if (c == '\\' && quote == '"') {
+            if (k + 1 < text.size() && text[k + 1] != '\n') ++k;
+        } else if (c == quote && c != '#' && (!many || three(k))) {
+            if (many) k += 2;
+            for (int more = 0; many && more < 2 && k + 1 < text.size() && text[k + 1] == quote;
+                 ++more)
+                ++k;  // quotes of the text itself, before the last three
+            quote = 0;
+            many = false;
+        }
+    }
+    return 0;
+}
+
 }  // namespace
 
 const TomlNode* TomlNode::find(std::string_view child) const {
@@ -129,6 +165,12 @@ const TomlNode* TomlNode::find(std::string_view child) const {
 }
 
 TomlNode parse_toml(std::string_view text, const std::string& name, FirstError& error) {
+    if (const int line = line_of_stray_byte(text); line > 0) {
+        error.report(fmt::format("{}:{}: this is not valid TOML: a character that is not ASCII "
+                                 "stands outside a text in quotes and a comment; remove it",
+                                 name, line));
+        return {.where = name};
+    }
     toml::parse_result parsed = toml::parse(text, name);
     if (parsed.failed()) {
         std::string what(parsed.error().description());

@@ -2,6 +2,7 @@
 import pathlib
 
 from . import blocks, perspective
+from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits
 from .samples import leaf_corners, triangle_depth, z_code
@@ -151,6 +152,17 @@ def samples(w):
     return ["none" if found is None else found]
 
 
+def dicing(w):
+    if w.pop(0) == "vertex":
+        level, i, j, *numbers = take(w, len(w))
+        points, k = triples(numbers), 1 << level
+        return [*vertex(points, i, j, k), *normal(points, i, j, k)]
+    most, tolerance, *numbers = take(w, len(w))
+    points, s = triples(numbers), Settings(dice_levels=most)
+    return [patch_level(points, tolerance, s),
+            *(edge_level(points, edge, tolerance, s) for edge in EDGES)]
+
+
 def shading(w):
     places = [take_component(w) for _ in range(3)]
     kind, light, viewer = w.pop(0), take(w, 3), take(w, 3)
@@ -235,7 +247,7 @@ def composite(w):
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
           "matrices": matrices, "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
-          "triangles": triangles, "noise": noise, "shadow_test": shadow_test,
+          "triangles": triangles, "dicing": dicing, "noise": noise, "shadow_test": shadow_test,
           "dequantize": dequantized, "low_pass": low_passed, "composite": composite}
 
 

@@ -1,6 +1,9 @@
 // Vectors of drawing: the transform unit, corrections, splits, the block rule, samples, shading.
+#include "raster/dice.hpp"
 #include "raster/draw.hpp"
 #include "tests/shadow/frame/vectors.hpp"
+
+#include <memory>
 
 namespace umbra78::test {
 namespace {
@@ -440,6 +443,91 @@ TEST(Vectors, Triangles) {
                    "normal; to_light, to_viewer, or where light and eye are (in places' words); "
                    "ambient diffuse specular shininess, a covered place x y -> intensity and "
                    "direct share lit, and in shadow"},
+                  lines);
+}
+
+// A patch whose points are their bilinear mean and some words more; the edges of some are points.
+raster::Patch some_patch(Inputs& in, int k) {
+    raster::Patch p;
+    const std::int64_t reach =
+        k % 5 == 4 ? raster::max_world : std::int64_t{1} << in.between(8, 22);
+    const std::int64_t bend =
+        k % 5 == 4 ? reach
+                   : std::max<std::int64_t>(reach / (std::int64_t{1} << in.between(0, 9)), 1);
+    std::array<raster::World, 4> corner;
+    const auto word = [&](std::int64_t limit) {
+        return static_cast<std::int32_t>(in.between(-limit, limit));
+    };
+    for (raster::World& w : corner) w = {word(reach / 2), word(reach / 2), word(reach / 2)};
+    for (std::int32_t j = 0; j < 4; ++j) {
+        for (std::int32_t i = 0; i < 4; ++i) {
+            const auto mean = [&](std::int32_t raster::World::*axis) {
+                return ((3 - j) * ((3 - i) * (corner[0].*axis / 9) + i * (corner[1].*axis / 9)) +
+                        j * ((3 - i) * (corner[2].*axis / 9) + i * (corner[3].*axis / 9))) +
+                       word(bend / 2);
+            };
+            p.control[static_cast<std::size_t>(4 * j + i)] = {
+                mean(&raster::World::x), mean(&raster::World::y), mean(&raster::World::z)};
+        }
+    }
+    const auto collapse = [&](std::size_t from, std::size_t step) {
+        for (std::size_t n = 1; n < 4; ++n) p.control[from + n * step] = p.control[from];
+    };
+    if (k % 7 == 1) collapse(0, 1);
+    if (k % 7 == 2) collapse(12, 1);
+    if (k % 7 == 3) collapse(0, 4);
+    if (k % 7 == 4) collapse(3, 4);
+    if (k % 21 == 8) collapse(4, 1);  // and the next row: the replacement is zero, too, at k = 1
+    return p;
+}
+
+Line& operator<<(Line& line, const raster::World& w) { return line << w.x << w.y << w.z; }
+
+// The sum that decides the patch's level, as section 22 has it, for a tolerance at its very limit.
+std::int64_t limit_of(const raster::Patch& p, int level) {
+    std::int64_t low = 0, high = std::int64_t{1} << 40;  // the least tolerance that is enough
+    while (low < high) {
+        const std::int64_t middle = low + (high - low) / 2;
+        if (raster::dice_levels(p, level + 1, middle).patch <= level)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
+TEST(Vectors, Dicing) {
+    Inputs in(22);
+    Lines lines;
+    const auto memory = std::make_unique<raster::DiceMemory>();
+    for (int k = 0; k < 84; ++k) {
+        const raster::Patch p = some_patch(in, k);
+        const auto most = static_cast<int>(in.between(0, 5));
+        std::int64_t tolerance = std::int64_t{1} << in.between(0, 16);
+        if (k % 2 == 0) tolerance = limit_of(p, k % 4) - (k % 3 == 0 ? 1 : 0);
+        const raster::DiceLevels levels = raster::dice_levels(p, most, tolerance);
+        Line line;
+        line << "levels" << most << tolerance;
+        for (const raster::World& w : p.control) line << w;
+        line << "->" << levels.patch;
+        for (const int edge : levels.edge) line << edge;
+        lines.push_back(line.text());
+        const raster::Mesh mesh = raster::dice(p, levels, true, *memory);
+        const std::int64_t cells = std::int64_t{1} << levels.patch;
+        const std::int64_t i = k % 3 == 0 ? 0 : in.between(0, cells), j = in.between(0, cells);
+        const auto at = static_cast<std::size_t>(j * (cells + 1) + i);
+        Line vertex;
+        vertex << "vertex" << levels.patch << i << j;
+        for (const raster::World& w : p.control) vertex << w;
+        vertex << "->" << mesh.vertices[at];
+        for (const std::int32_t c : mesh.normals[at]) vertex << c;
+        lines.push_back(vertex.text());
+    }
+    check_vectors("dicing",
+                  {"Section 22.",
+                   "levels dice_levels tolerance, 16 points in world words -> the patch's level, "
+                   "and those of its edges j = 0, j = k, i = 0, i = k",
+                   "vertex level i j, 16 points -> place in world words, normal"},
                   lines);
 }
 

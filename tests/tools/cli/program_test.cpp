@@ -34,7 +34,8 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
         {"figures --out", "--out: 1 required DIR missing; see umbra78 figures --help"},
         {"figures here", "unknown argument 'here'; known here: --help, --out, --goldens, "
-                         "--check, --bless, --json, --words; see umbra78 figures --help"},
+                         "--check, --bless, --no-scenes, --json, --words; see umbra78 figures "
+                          "--help"},
         {"render", "scene is required; see umbra78 render --help"},
         {"render a.toml b.toml",
          "unknown argument 'b.toml'; known here: --help, scene, --out, --buffers, --error, --set, "

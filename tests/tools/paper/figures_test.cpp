@@ -182,7 +182,8 @@ TEST(ScenePictures, HaveNamesThatFitTheirTable) {
 TEST_F(Goldens, TheCommandChecks) {
     const fs::path out = folder / "out", log = folder / "log";
     const auto run = [&](const std::string& options) {
-        const std::string command = UMBRA78_PROGRAM " figures --no-scenes --goldens '" + folder.string() +
+        const std::string command = UMBRA78_PROGRAM " figures --no-scenes --goldens '" +
+                                    folder.string() +
                                     "' --out '" + out.string() + "' " + options + " >'" +
                                     log.string() + "' 2>&1";
         const int status = std::system(command.c_str());

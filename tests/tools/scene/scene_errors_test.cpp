@@ -127,5 +127,23 @@ TEST(SceneErrors, PlanesAndPatches) {
     });
 }
 
+// Of some such bytes the TOML library's own check is undefined. In texts and comments they may be.
+TEST(SceneErrors, ACharacterThatIsNotAsciiStandsInTextsAndCommentsAlone) {
+    const auto error = [](const std::string& text) {
+        return error_of({text, {}});
+    };
+    const std::string stray = ": this is not valid TOML: a character that is not ASCII stands "
+                              "outside a text in quotes and a comment; remove it";
+    const std::string light = "[light]\nazimuth = 5\n";
+    for (const char* text : {"x = 0.0000152\xCD\xAD", "\xCD\xAD = 1", "x = \"\" \xCD\xAD",
+                             "x = 'a' \xCE\xA9", "x = \"\"\"a\"\"\"\" \xCD\xAD",
+                             "x = \"\\\"\" \xCD\xAD"})
+        EXPECT_EQ(error(light + text), "a.toml:3" + stray) << text;
+    const std::string named = light + "[[material]] # \xCE\xA9\nname = ";
+    for (const char* name : {"\"\xCE\xA9\"", "'\xCD\xAD'", "\"\\\" \xCE\xA9\"",
+                             "\"\"\"\xCE\xA9 \"\" \n\xCE\xA9\"\"\"", "'''\xCE\xA9'''"})
+        EXPECT_EQ(error("\xEF\xBB\xBF" + named + name), "no error") << name;
+}
+
 }  // namespace
 }  // namespace umbra78::tools::test
