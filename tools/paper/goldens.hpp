@@ -1,5 +1,5 @@
-// Goldens: the buffer that every stage of figures 1 to 6 must produce, and the pictures of figures 7
-// and 8 and of the gallery, as PGM pictures and hashes.
+// Goldens: the buffer that every stage of figures 1 to 6 must produce, and the pictures of figures
+// 7 and 8 and of the gallery, as PGM pictures and hashes.
 //
 // A folder holds `<buffer>.pgm` for each buffer and `hashes.txt` with lines of "buffer hash". The
 // pictures show where a buffer differs; the hashes are for programs that do not read pictures.
