@@ -3,11 +3,11 @@
 #include "fixed/wide_int.hpp"
 #include "raster/triangle.hpp"
 #include "tests/support/effort.hpp"
+#include "tests/support/inputs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -17,18 +17,7 @@ namespace {
 using Wide = fixed::WideInt<4>;
 using Key = std::pair<int, int>;  // line, pixel
 using umbra78::test::effort;
-
-class Inputs {
-public:
-    explicit Inputs(std::uint64_t seed) : generator_(seed) {}
-    std::int64_t between(std::int64_t low, std::int64_t high) {
-        const auto count = static_cast<std::uint64_t>(high - low) + 1;
-        return low + static_cast<std::int64_t>(generator_() % count);
-    }
-
-private:
-    std::mt19937_64 generator_;
-};
+using umbra78::test::Inputs;
 
 // The definition (hw/MACHINE.md, section 21): every centre of the frame, each by itself.
 std::map<Key, std::int64_t> by_definition(Corner a, Corner b, Corner c,

@@ -96,8 +96,10 @@ std::vector<DrawnScene> draw_scene_pictures(const std::string& folder) {
                 errors[k] = std::current_exception();
             }
     };
+    // Exact truth takes up to half a gigabyte a scene.
+    const unsigned most = std::min(std::thread::hardware_concurrency(), 3u);
     std::vector<std::jthread> threads;
-    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) threads.emplace_back(work);
+    for (unsigned k = 1; k < most; ++k) threads.emplace_back(work);
     work();
     threads.clear();  // waits for them
     for (const std::exception_ptr& error : errors)

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "raster/block.hpp"
+#include "tests/support/inputs.hpp"
 #include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
@@ -13,30 +14,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
-#include <random>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace umbra78::test {
-
-// The generator's outputs are the standard's; distributions would be the library's.
-class Inputs {
-public:
-    explicit Inputs(std::uint64_t seed) : generator_(seed) {}
-    std::int64_t between(std::int64_t low, std::int64_t high) {
-        const auto count = static_cast<std::uint64_t>(high - low) + 1;
-        return low + static_cast<std::int64_t>(generator_() % count);
-    }
-    // A signed word of up to `bits` bits, each length as likely as any other.
-    std::int64_t word(int bits) {
-        const std::int64_t limit = std::int64_t{1} << between(0, bits - 1);
-        return between(-limit, limit - 1);
-    }
-
-private:
-    std::mt19937_64 generator_;
-};
 
 // One line, word by word.
 class Line {
