@@ -39,6 +39,18 @@ hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat o
     return status;
 }
 
+DrawCounts& DrawCounts::operator+=(const DrawCounts& o) {
+    for (const auto member :
+         {&DrawCounts::patches, &DrawCounts::blocks, &DrawCounts::samples,
+          &DrawCounts::facet_samples, &DrawCounts::hidden_blocks, &DrawCounts::unresolved,
+          &DrawCounts::tested_blocks, &DrawCounts::splits, &DrawCounts::tested_centres,
+          &DrawCounts::facets, &DrawCounts::cut_facets, &DrawCounts::diced_patches,
+          &DrawCounts::diced_vertices, &DrawCounts::back_triangles, &DrawCounts::triangles,
+          &DrawCounts::triangle_lines, &DrawCounts::unresolved_facets})
+        this->*member += o.*member;
+    return *this;
+}
+
 namespace detail {
 
 bool divide_corners(const std::array<CornerGrid<std::int64_t>, 4>& g, const MachineSpec& spec,
