@@ -63,6 +63,8 @@ struct DrawCounts {
     std::uint64_t triangles = 0;               // that may cover a centre
     std::uint64_t triangle_lines = 0;          // scan lines in their boxes
     std::uint64_t unresolved_facets = 0;       // dropped: a corner has no quotient
+
+    DrawCounts& operator+=(const DrawCounts&);
 };
 
 // How patches become samples: by Catmull's subdivision, or diced to facets (dice.hpp).
@@ -81,6 +83,9 @@ struct DrawSetup {
     int dice_levels = 3;              // at most so many
     std::int64_t dice_tolerance = 0;  // world words
     Facing facing = Facing::both;
+    // Whether blocks behind what was drawn before are left out. Without it the counts do not depend
+    // on the order of the patches.
+    bool leaves_out_hidden = true;
     hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point
 };
 
@@ -187,7 +192,7 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
         walk.push_patch(patch);
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            if (emit.sink.hidden(footprint(bounds, setup.spec))) {
+            if (setup.leaves_out_hidden && emit.sink.hidden(footprint(bounds, setup.spec))) {
                 ++counts.hidden_blocks;
                 continue;
             }

@@ -32,6 +32,10 @@ void copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
 
 void light_up(std::span<std::uint8_t> mask) { std::fill(mask.begin(), mask.end(), mask_lit); }
 
+void require_held(const FrameInputs& in) {
+    fixed::require(!in.scene.streamed, "a stream is drawn by draw_stream() alone");
+}
+
 template <class Depth>
 void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
               FrameBuffers<Depth>& frame, FrameCounts& counts) {
@@ -82,6 +86,7 @@ void filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
 template <class Depth>
 void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                 FrameCounts& counts) {
+    require_held(in);
     require_fits(in, frame);
     for (std::size_t l = 0; l < in.scene.light_count; ++l) draw_map(in, plan, l, frame, counts);
 }
@@ -89,6 +94,7 @@ void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth
 template <class Depth>
 void draw_observer(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                    FrameCounts& counts) {
+    require_held(in);
     require_fits(in, frame);
     if (plan.leaves_out(Omission::same_observer)) return;
     const hw::MachineSpec& machine = in.settings.machine;

@@ -39,12 +39,16 @@ void plan_pixels(const FrameInputs& now, FramePlan& plan) {
 }
 
 void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
+    plan.at(Omission::light_shading, l) = left_out(depth_alone);
+    if (now.scene.streamed) {
+        plan.at(Omission::light_map, l) = plan.at(Omission::post_process, l) = needed(not_held);
+        return;
+    }
     const Reach reach = cull(now, l);
     plan.outside.light[l] = reach.outside_light;
     plan.outside.observer = reach.outside_observer;
     const std::uint64_t all = now.scene.surfaces().count();
     const bool no_map = reach.outside_light == all;
-    plan.at(Omission::light_shading, l) = left_out(depth_alone);
     plan.at(Omission::light_map, l) = no_map ? left_out(no_caster) : needed(may_shadow);
     plan.at(Omission::post_process, l) = reach.outside_observer == all ? left_out(nothing_visible)
                                          : no_map                      ? left_out(no_caster)

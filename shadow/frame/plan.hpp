@@ -64,6 +64,7 @@ enum class Reason : std::uint8_t {
     asked_for,            // a setting asks for it
     changed,              // something that it is made from has changed
     no_frame_before,
+    not_held,             // the surfaces come batch by batch, and are not known beforehand
     none,                 // FramePlan{}: nothing is left out
 };
 

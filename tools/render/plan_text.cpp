@@ -72,6 +72,7 @@ std::string_view explain(Reason reason) {
         case Reason::asked_for: return "a setting asks for it";
         case Reason::changed: return "something that it is made from has changed";
         case Reason::no_frame_before: return "there is no frame before it";
+        case Reason::not_held: return "the surfaces are a stream, not known beforehand";
         case Reason::none: return "the plan leaves out nothing";
     }
     return "";
