@@ -3,6 +3,7 @@
 #include "fixed/overflow.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace umbra78::raster {
 namespace {
@@ -39,15 +40,24 @@ hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat o
     return status;
 }
 
-DrawCounts& DrawCounts::operator+=(const DrawCounts& o) {
-    for (const auto member :
-         {&DrawCounts::patches, &DrawCounts::blocks, &DrawCounts::samples,
-          &DrawCounts::facet_samples, &DrawCounts::hidden_blocks, &DrawCounts::unresolved,
-          &DrawCounts::tested_blocks, &DrawCounts::splits, &DrawCounts::tested_centres,
-          &DrawCounts::facets, &DrawCounts::cut_facets, &DrawCounts::diced_patches,
-          &DrawCounts::diced_vertices, &DrawCounts::back_triangles, &DrawCounts::triangles,
-          &DrawCounts::triangle_lines, &DrawCounts::unresolved_facets})
-        this->*member += o.*member;
+namespace {
+
+constexpr std::uint64_t DrawCounts::*all_counts[] = {
+    &DrawCounts::patches,        &DrawCounts::blocks,
+    &DrawCounts::samples,        &DrawCounts::facet_samples,
+    &DrawCounts::hidden_blocks,  &DrawCounts::unresolved,
+    &DrawCounts::tested_blocks,  &DrawCounts::splits,
+    &DrawCounts::tested_centres, &DrawCounts::facets,
+    &DrawCounts::cut_facets,     &DrawCounts::diced_patches,
+    &DrawCounts::diced_vertices, &DrawCounts::back_triangles,
+    &DrawCounts::triangles,      &DrawCounts::triangle_lines,
+    &DrawCounts::unresolved_facets};
+static_assert(sizeof(DrawCounts) == sizeof(std::uint64_t) * std::size(all_counts));
+
+}  // namespace
+
+DrawCounts& DrawCounts::operator+=(const DrawCounts& more) {
+    for (const auto count : all_counts) this->*count += more.*count;
     return *this;
 }
 
@@ -162,7 +172,7 @@ void order_front_to_back(std::span<const Patch> patches, const View& view,
         order[k] = static_cast<std::uint32_t>(k);
         nearest[k] = INT64_MIN;
         for (const World& p : patches[k].control)
-            nearest[k] = std::max(nearest[k], nearness(view.axes, p));
+            nearest[k] = std::max(nearest[k], along(view.axes.back, p));
     }
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return nearest[a] != nearest[b] ? nearest[a] > nearest[b] : a < b;

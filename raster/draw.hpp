@@ -49,7 +49,6 @@ hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat o
                          MatrixWords& out);
 
 struct DrawCounts {
-    DrawCounts& operator+=(const DrawCounts& o);
     std::uint64_t subdivided() const { return patches - diced_patches; }
     std::uint64_t patches = 0, blocks = 0;
     std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
@@ -65,6 +64,8 @@ struct DrawCounts {
     std::uint64_t triangles = 0;               // that may cover a centre
     std::uint64_t triangle_lines = 0;          // scan lines in their boxes
     std::uint64_t unresolved_facets = 0;       // dropped: a corner has no quotient
+
+    DrawCounts& operator+=(const DrawCounts&);
 };
 
 // How patches become samples: by Catmull's subdivision, or diced to facets (dice.hpp).
@@ -88,6 +89,9 @@ struct DrawSetup {
     int dice_levels = 3;              // at most so many
     std::int64_t dice_tolerance = 0;  // world words
     Facing facing = Facing::both;
+    // Whether blocks behind what was drawn before are left out. Without it the counts do not depend
+    // on the order of the patches.
+    bool leaves_out_hidden = true;
     hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point
     Drawn drawn = Drawn::all;
 
@@ -211,7 +215,7 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
         ++counts.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            if (emit.sink.hidden(footprint(bounds, setup.spec))) {
+            if (setup.leaves_out_hidden && emit.sink.hidden(footprint(bounds, setup.spec))) {
                 ++counts.hidden_blocks;
                 continue;
             }

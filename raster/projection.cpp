@@ -1,6 +1,7 @@
 #include "raster/projection.hpp"
 
 #include "fixed/overflow.hpp"
+#include "raster/extent.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -124,11 +125,12 @@ bool beyond_a_side(const std::array<Component, 4>& c, std::int64_t edge_px) {
 }  // namespace
 
 WordFormat object_format(const Surfaces& surfaces) {
-    std::uint32_t largest = 0;
-    surfaces.for_points([&](const World& p) {
-        for (const std::int32_t v : {p.x, p.y, p.z})
-            largest = std::max(largest, static_cast<std::uint32_t>(fixed::magnitude(v)));
-    });
+    Box box;
+    surfaces.for_points([&](const World& p) { box.add(p); });
+    return object_format(box.largest());
+}
+
+WordFormat object_format(std::uint32_t largest) {
     int fraction = object_bits - 2;
     while (fraction > 0 && !fixed::fits(fixed::round_shift(largest, world_fraction - fraction,
                                                            Rounding::half_up),

@@ -33,6 +33,8 @@ inline constexpr int object_bits = 16;
 // The format of all object words of a scene: 16 bits and the largest fraction that holds every
 // control point and vertex, at most 14, so that one_word is at least 1.0.
 WordFormat object_format(const Surfaces& surfaces);
+// The same for places whose coordinates have this greatest magnitude, a world word.
+WordFormat object_format(std::uint32_t largest);
 
 using ObjectWords = std::array<hw::Words, 16>;
 

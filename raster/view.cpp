@@ -88,20 +88,20 @@ bool axes_from_points(const World& from, const World& to, ViewAxes& out) {
 }
 
 DepthRange depth_range(const View& view, const Surfaces& surfaces) {
+    AxisRange back;
+    surfaces.for_points([&](const World& p) { back.add(along(view.axes.back, p)); });
+    return depth_range_of(view, back);
+}
+
+DepthRange depth_range_of(const View& view, const AxisRange& back) {
+    if (back.min > back.max) return {0, 0};
     const Rational offset = -dot(exact(view.axes.back), origin(view));
-    DepthRange range{INT64_MAX, INT64_MIN};
-    surfaces.for_points([&](const World& p) {
-        const std::int64_t d = -nearness(view.axes, p);
-        range.min = std::min(range.min, d);
-        range.max = std::max(range.max, d);
-    });
-    if (range.min > range.max) return {0, 0};
     const auto word = [&](std::int64_t q46, Rounding rounding) {
         std::int64_t out = 0;
         (Rational(q46, axis_one * one_q16) - offset).round_scaled(world_fraction, rounding, out);
         return out;
     };
-    return {word(range.min, Rounding::floor), word(range.max, Rounding::ceiling)};
+    return {word(-back.max, Rounding::floor), word(-back.min, Rounding::ceiling)};
 }
 
 void fit_depth(View& view, const DepthRange& scene) {

@@ -44,11 +44,21 @@ ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
 // Straight down or up, right is (1, 0, 0). False, and `out` as it was, if the points coincide.
 bool axes_from_points(const World& from, const World& to, ViewAxes& out);
 
-// How far a point lies along `back` from the origin, exactly, with 46 fraction bits. |p| < 2^31
-// and an axis of length 1 leave it in 63 bits.
-constexpr std::int64_t nearness(const ViewAxes& axes, const World& p) {
-    return dot(WideVector{axes.back[0], axes.back[1], axes.back[2]}, WideVector{p.x, p.y, p.z});
+// How far a point lies along an axis from the world's origin, exactly, with 46 fraction bits.
+// |p| < 2^31 and an axis of length 1 leave it in 63 bits.
+constexpr std::int64_t along(const Axis& axis, const World& p) {
+    return dot(WideVector{axis[0], axis[1], axis[2]}, WideVector{p.x, p.y, p.z});
 }
+
+// The least and the greatest of such distances; min > max where there are none.
+struct AxisRange {
+    std::int64_t min = INT64_MAX, max = INT64_MIN;
+
+    void add(std::int64_t v) {
+        min = v < min ? v : min;
+        max = v > max ? v : max;
+    }
+};
 
 struct View {
     Projection projection = Projection::orthographic;
@@ -66,6 +76,8 @@ struct DepthRange {
 };
 // {0, 0} without any.
 DepthRange depth_range(const View& view, const Surfaces& surfaces);
+// The same of points that lie so along view.axes.back.
+DepthRange depth_range_of(const View& view, const AxisRange& back);
 
 // Near and far where the scene file gives none. Orthographic: the cube, +-extent, so that a Z
 // quantum is 2^-depth_fraction pixel; if the scene reaches out of it, the smallest symmetric range

@@ -92,10 +92,11 @@ FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn) {
         plan.leaves_out(Omission::light_drawing)
             ? copied
             : view(drawn, in.matrices.lights[0].world_to_light,
-                   inside ? l.light_inside : l.light_counts, !plan.leaves_out(Omission::light_shading), plan));
+                   inside ? l.light_inside : l.light_counts,
+                   !plan.leaves_out(Omission::light_shading), plan));
     add(FrameStage::observer, plan.leaves_out(Omission::same_observer),
-        view(drawn, in.matrices.world_to_observer,
-             inside ? l.observer_inside : l.observer_counts, true, plan));
+        view(drawn, in.matrices.world_to_observer, inside ? l.observer_inside : l.observer_counts,
+             true, plan));
     add(FrameStage::post_process,
         plan.leaves_out(Omission::same_mask) || plan.leaves_out(Omission::post_process),
         method.plan_cost(drawn, plan, 0));
@@ -118,8 +119,8 @@ Saving saving(Omission omission, const FramePlan& plan, const DrawnFrame& drawn)
     Saving s;
     // Points that are tested when drawn are counted by the drawing; so are the visible pixels. The
     // pixels of the frame are known before.
-    s.after_drawing = is(omission, {light_shading, background_pixels, post_process, light_drawing,
-                                  empty_lines, lit_lines, same_mask}) ||
+    s.after_drawing = is(omission, {light_shading, background_pixels, post_process,
+                                    light_drawing, empty_lines, lit_lines, same_mask}) ||
                       (method_of(drawn.inputs).tests_when_drawn() &&
                        is(omission, {divide, w_row, constant_product, noise}));
     if (!plan.leaves_out(omission)) return s;

@@ -25,8 +25,8 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
     fixed::require(fits, "frame carved for other widths than the settings have");
     fixed::require(m.z_bits <= static_cast<int>(8 * sizeof(Depth)),
                    "frame carved for fewer bits of Z than the settings have");
-    fixed::require(in.scene.patches.size() <= frame.order.size() &&
-                       in.scene.patches.size() <= frame.nearest.size(),
+    fixed::require(in.scene.streamed || (in.scene.patches.size() <= frame.order.size() &&
+                                         in.scene.patches.size() <= frame.nearest.size()),
                    "frame carved for fewer patches than the scene has");
 }
 
@@ -51,18 +51,21 @@ inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan
             in.settings.dice_levels,
             dice_tolerance(in),
             in.settings.facing,
+            !in.scene.streamed,  // the ledger's counts are then those of this drawing
             plan.unit_work(),
             plan.leaves_out(Omission::outside_surfaces) ? raster::Drawn::inside
                                                         : raster::Drawn::all};
 }
 
-// Draws into what the store holds; the sink decides whether a sample replaces what is there.
+// Draws into what the store holds; the sink decides whether a sample replaces what is there. What
+// is left out as hidden depends on the order; a batch of a stream has none.
 template <class Depth, class Sink>
 raster::DrawCounts draw_view(const FrameInputs& in, const FramePlan& plan, const raster::View& view,
                              const hw::MatrixWords& matrix, FrameBuffers<Depth>& frame,
                              Sink& sink) {
-    const std::span order = frame.order.first(in.scene.patches.size());
-    raster::order_front_to_back(in.scene.patches, view, order, frame.nearest);
+    const std::span order =
+        in.scene.streamed ? std::span<std::uint32_t>() : frame.order.first(in.scene.patches.size());
+    if (!order.empty()) raster::order_front_to_back(in.scene.patches, view, order, frame.nearest);
     return raster::draw(in.scene.surfaces(), order, draw_setup(in, plan, matrix), *frame.draw,
                         sink);
 }

@@ -34,6 +34,10 @@ void copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
 
 void light_up(std::span<std::uint8_t> mask) { std::fill(mask.begin(), mask.end(), mask_lit); }
 
+void require_held(const FrameInputs& in) {
+    fixed::require(!in.scene.streamed, "a stream is drawn by draw_stream() alone");
+}
+
 template <class Depth>
 void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
               FrameBuffers<Depth>& frame, FrameCounts& counts) {
@@ -156,6 +160,7 @@ void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
 template <class Depth>
 void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                 FrameCounts& counts) {
+    require_held(in);
     require_fits(in, frame);
     for (std::size_t l = 0; l < in.scene.light_count; ++l) draw_map(in, plan, l, frame, counts);
 }
@@ -163,6 +168,7 @@ void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth
 template <class Depth>
 void draw_observer(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                    FrameCounts& counts) {
+    require_held(in);
     require_fits(in, frame);
     draw_picture(in, plan, frame, counts);
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {

@@ -34,7 +34,8 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     const hw::MachineSpec& spec = settings.machine;
     fixed::require(scene.light_count <= max_lights, "scene with more than max_lights lights");
     if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
-    out.object = raster::object_format(scene.surfaces());
+    out.object = scene.streamed ? raster::object_format(scene.largest_streamed)
+                                : raster::object_format(scene.surfaces());
     if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=
         hw::LoadStatus::ok)
         return observer_matrix;

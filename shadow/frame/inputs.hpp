@@ -28,6 +28,10 @@ struct Scene {
     std::array<raster::View, max_lights> lights;  // a view in perspective: a point light at its eye
     std::size_t light_count = 1;
     raster::Mesh mesh{};
+    // The surfaces come batch by batch (shadow/frame/stream.hpp) and are not those above. Their
+    // coordinates have at most this magnitude, a world word.
+    bool streamed = false;
+    std::uint32_t largest_streamed = 0;
 
     raster::Surfaces surfaces() const { return {patches, mesh}; }
 };

@@ -21,10 +21,15 @@ PhaseLedger phase(const hw::Operations& o, const FrameInputs& in) {
     return {o, method_of(in).units(o, in.settings)};
 }
 
-// Both parts of the surfaces, so that what lies outside is known by itself.
+// Both parts of the surfaces, so that what lies outside is known by itself. `drawn`: what the
+// drawing of the frame counted; of a stream, it is all that there is to count.
 PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
-                    raster::DrawMemory& memory, bool shades, raster::DrawCounts& counts,
-                    raster::DrawCounts& inside) {
+                    const raster::DrawCounts& drawn, raster::DrawMemory& memory, bool shades,
+                    raster::DrawCounts& counts, raster::DrawCounts& inside) {
+    if (in.scene.streamed) {
+        inside = counts = drawn;
+        return phase(drawing_operations(in, matrix, counts, shades), in);
+    }
     CountingSink sink;
     raster::DrawSetup setup{in.settings.machine,     matrix,
                             in.matrices.object,      in.settings.sampling,
@@ -169,10 +174,10 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
     const std::uint64_t pixels = std::uint64_t{1} << (2 * s.machine.xy_bits);
     const Method& method = method_of(in);
     FrameLedger l;
-    l.light = drawing(in, in.matrices.lights[0].world_to_light, *frame.draw, false,
-                      l.light_counts, l.light_inside);
-    l.observer = drawing(in, in.matrices.world_to_observer, *frame.draw, true, l.observer_counts,
-                         l.observer_inside);
+    l.light = drawing(in, in.matrices.lights[0].world_to_light, counts.lights[0].map, *frame.draw,
+                      false, l.light_counts, l.light_inside);
+    l.observer = drawing(in, in.matrices.world_to_observer, counts.observer, *frame.draw, true,
+                         l.observer_counts, l.observer_inside);
     const auto none = static_cast<Depth>(s.machine.background());
     l.visible = pixels - static_cast<std::uint64_t>(std::count(
                              frame.observer.depth.begin(), frame.observer.depth.end(), none));

@@ -103,7 +103,8 @@ hw::Operations drawing_operations(const FrameInputs&, const hw::MatrixWords& vie
                                   const raster::DrawCounts&, bool shades);
 
 // Of a frame of one light that is done; traps for more lights. Draws each view once more, to count,
-// with nothing hidden and nothing stored: cycles must not depend on the order of the patches.
+// with nothing hidden and nothing stored: cycles must not depend on the order of the patches. A
+// stream is drawn with nothing hidden, and its counts are taken as they are.
 template <class Depth>
 FrameLedger frame_ledger(const FrameInputs&, const FrameBuffers<Depth>&, const FrameCounts&);
 

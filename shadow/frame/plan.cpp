@@ -39,12 +39,18 @@ void plan_pixels(const FrameInputs& now, FramePlan& plan) {
 }
 
 void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
+    plan.at(Omission::light_shading, l) = left_out(depth_alone);
+    if (now.scene.streamed) {
+        for (const Omission o :
+             {Omission::light_map, Omission::light_drawing, Omission::post_process})
+            plan.at(o, l) = needed(not_held);
+        return;
+    }
     const Reach reach = cull(now, l);
     plan.outside.light[l] = reach.outside_light;
     plan.outside.observer = reach.outside_observer;
     const std::uint64_t all = now.scene.surfaces().count();
     const bool no_map = reach.outside_light == all;
-    plan.at(Omission::light_shading, l) = left_out(depth_alone);
     plan.at(Omission::light_map, l) = no_map ? left_out(no_caster) : needed(may_shadow);
     // Equal words draw equal Z, whatever the views that they come from.
     const bool same = now.matrices.lights[l].world_to_light == now.matrices.world_to_observer;
@@ -111,8 +117,9 @@ FramePlan make_plan(const FrameInputs& now, const FrameInputs* before) {
     bool any_outside = plan.outside.observer > 0;
     for (std::size_t l = 0; l < now.scene.light_count; ++l)
         any_outside = any_outside || plan.outside.light[l] > 0;
-    plan.at(Omission::outside_surfaces) = any_outside ? left_out(outside_view)
-                                                      : needed(none_outside);
+    plan.at(Omission::outside_surfaces) = now.scene.streamed ? needed(not_held)
+                                          : any_outside     ? left_out(outside_view)
+                                                            : needed(none_outside);
     plan_reuse(now, before, plan);
     return plan;
 }

@@ -74,6 +74,7 @@ enum class Reason : std::uint8_t {
     no_frame_before,
     other_view,           // the light's matrix has other words than the observer's
     none_outside,         // every surface may have samples in both views
+    not_held,             // the surfaces come batch by batch, and are not known beforehand
     none,                 // FramePlan{}: nothing is left out
 };
 

@@ -105,6 +105,7 @@ bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) 
 Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     Reuse r;
     if (before.scene.light_count != now.scene.light_count) return r;
+    if (before.scene.streamed || now.scene.streamed) return r;  // surfaces that nobody holds
     const bool drawing = same_drawing(before, now);
     const bool method = &method_of(before) == &method_of(now);
     const bool when_drawn = method_of(now).tests_when_drawn();

@@ -84,8 +84,8 @@ std::uint64_t empty_lines(std::span<const hw::Depth32> depth, std::uint32_t back
 
 // Work that can change nothing changes nothing: constant products and the W row anew for each
 // point, the division by a constant, noise that is silent, and pixels and lines where nothing was
-// drawn. The background's code lies in the light's volume here, in front of which others are drawn, so a
-// background pixel would be in shadow.
+// drawn. The background's code lies in the light's volume here, in front of which others are drawn,
+// so a background pixel would be in shadow.
 TEST(PostProcess, WorkForNothingChangesNothing) {
     Random random;
     std::uint64_t background_in_shadow = 0;

@@ -69,7 +69,7 @@ std::string_view explain(Reason reason) {
         case Reason::graded: return "it follows edges, and the method's darkness is graded";
         case Reason::invisible_shadow: return "density is 0";
         case Reason::shadow_in_shading: return "the correct form's shadow is in the shading";
-        case Reason::same_view: return "light and observer see the same: the map is the observer's Z";
+        case Reason::same_view: return "the light sees what the observer sees: its map is a copy";
         case Reason::outside_view: return "nothing of them can lie in the view";
         case Reason::no_shadow_near: return "no shadow is near, so a filter would change nothing";
         case Reason::unchanged: return "nothing that it is made from has changed";
@@ -81,6 +81,7 @@ std::string_view explain(Reason reason) {
         case Reason::no_frame_before: return "there is no frame before it";
         case Reason::other_view: return "light and observer see different things";
         case Reason::none_outside: return "every surface may lie in both views";
+        case Reason::not_held: return "the surfaces are a stream, not known beforehand";
         case Reason::none: return "the plan leaves out nothing";
     }
     return "";

@@ -167,7 +167,8 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.observer.target.y += 1 << 16;
     }
     {
-        PlannedScene& p = add("no shadow after all", 6);  // what one sphere hides of itself is unseen
+        // What a sphere hides of itself from this light is hardly seen, and the bias is large.
+        PlannedScene& p = add("no shadow after all", 6);
         p.patches.resize(32);
         p.light.axes = raster::axes_from_angles(1 << 16, 0);
         p.settings.bias_q16 = 4000 << 16;
