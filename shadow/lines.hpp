@@ -8,7 +8,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <span>
 
 namespace umbra78::shadow {
@@ -50,19 +49,17 @@ private:
     std::array<std::uint64_t, max_lines / 64> words_{};
 };
 
-// The lines of a mask that are not lit from end to end: eight pixels at a time.
+// The lines of a mask that are not lit from end to end. A frame has at least 16 pixels a side, so
+// the compiler may look at as many at once.
 inline LineSet lines_with_shadow(std::span<const std::uint8_t> mask, int size) {
     LineSet lines(size);
     const auto n = static_cast<std::size_t>(size);
     for (int y = 0; y < size; ++y) {
         const std::uint8_t* line = mask.data() + static_cast<std::size_t>(y) * n;
-        std::uint64_t any = 0;
-        for (std::size_t x = 0; x < n; x += 8) {
-            std::uint64_t eight = 0;
-            std::memcpy(&eight, line + x, 8);
-            any |= eight;
-        }
-        if (any != 0) lines.add(y);
+        std::array<std::uint8_t, 16> any{};
+        for (std::size_t x = 0; x + 16 <= n; x += 16)
+            for (std::size_t k = 0; k < 16; ++k) any[k] |= line[x + k];
+        if (any != std::array<std::uint8_t, 16>{}) lines.add(y);
     }
     return lines;
 }
