@@ -187,7 +187,7 @@ void add_all() {
 }
 
 // Figure 6's frame in a changed scene, by its plan and with one omission put back: what the plan
-// saves the host. (Empty scan lines are not among them: the row form of the test skips them always.)
+// saves the host. Empty scan lines are not among them: the row form of the test always skips them.
 struct OmissionCase {
     const char* name;
     shadow::Omission omission;
