@@ -73,6 +73,7 @@ LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, Wor
 TransformUnit::TransformUnit(const MachineSpec& spec, const MatrixWords& matrix, WordFormat input,
                              UnitWork work, ProductCut cut)
     : spec_(spec), matrix_(matrix), input_(input), work_(work), cut_(cut) {
+    if (!built(Feature::perspective)) work_.divide = false;  // there is no divider
     for (std::size_t r = 0; r < 4; ++r)
         constant_[r] = cut(std::int64_t{matrix.word[r][3]} * input.one_word());
 }
@@ -96,7 +97,7 @@ Quotient TransformUnit::quotient(Row row, const Accumulators& acc, int fraction,
 }
 
 std::int64_t TransformUnit::affine_row(Row row, const Words& v, int fraction) const {
-    if (work_.divide) {
+    if (built(Feature::perspective) && work_.divide) {
         const Accumulators acc{sum(Row::x, v), sum(Row::y, v), sum(Row::z, v), sum_w(v)};
         return quotient(row, acc, fraction, 63).value;
     }

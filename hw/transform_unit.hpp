@@ -19,6 +19,7 @@
 #include "fixed/divide.hpp"
 #include "fixed/rational.hpp"
 #include "fixed/rounding.hpp"
+#include "hw/features.hpp"
 #include "hw/machine_spec.hpp"
 
 #include <array>
@@ -48,6 +49,9 @@ struct MatrixWords {
     std::array<int, 4> exponent{};                      // value = word 2^(exponent - C + 2)
     bool affine = true;                                 // the W row is (0, 0, 0, 1)
     constexpr bool operator==(const MatrixWords&) const = default;
+
+    // Whether a point's W must be summed and divided by.
+    constexpr bool divides() const { return built(Feature::perspective) && !affine; }
 };
 
 enum class LoadStatus : std::uint8_t { ok, exponent_out_of_range };
@@ -141,7 +145,10 @@ public:
                   UnitWork work, ProductCut cut = {});
 
     Point operator()(const Words& v) const {
-        return matrix_.affine && !work_.divide ? affine(v) : divided(v);
+        if constexpr (built(Feature::perspective)) {
+            if (matrix_.divides() || work_.divide) return divided(v);
+        }
+        return affine(v);
     }
 
     Point affine(const Words& v) const;

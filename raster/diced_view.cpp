@@ -43,7 +43,7 @@ DicedView::DicedView(const MachineSpec& spec, const MatrixWords& matrix, WordFor
 }
 
 ScreenPlace DicedView::place(const hw::Words& words) const {
-    return unit_.matrix().affine ? affine_place(unit_, words)
+    return !unit_.matrix().divides() ? affine_place(unit_, words)
                                  : homogeneous_place(words, unit_.matrix(), spec_, object_);
 }
 
@@ -75,7 +75,7 @@ bool DicedView::quotients(const ScreenPlace& p, std::size_t axis, Bounds& b) con
     for (const std::int64_t x : {p[axis] - spread_[axis], p[axis] + spread_[axis]}) {
         for (const std::int64_t w : {p[3] - spread_[3], p[3] + spread_[3]}) {
             fixed::Quotient q{x, fixed::DivideStatus::ok};
-            if (!unit_.matrix().affine)
+            if (unit_.matrix().divides())
                 q = fixed::divide(x, w, fraction, 31, fixed::Rounding::half_up);
             if (q.status != fixed::DivideStatus::ok) return false;
             b.min = std::min(b.min, q.value);

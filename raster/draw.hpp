@@ -11,6 +11,7 @@
 // Not emulated: the clock (drawing_cost.hpp makes operations of the counts).
 #pragma once
 
+#include "hw/features.hpp"
 #include "raster/dice.hpp"
 #include "raster/diced_view.hpp"
 #include "raster/facet.hpp"
@@ -119,7 +120,8 @@ struct DrawMemory {
     std::array<StackBlock, 2 * deepest_level + 2> stack;
     Corners corners;
     std::array<CornerGrid<std::int64_t>, 4> homogeneous;
-    DiceMemory dice;
+    struct Nothing {};
+    std::conditional_t<hw::built(hw::Feature::dicing), DiceMemory, Nothing> dice;
 };
 
 namespace detail {
@@ -148,7 +150,7 @@ public:
     const StackBlock& block() const { return memory_.stack[depth_]; }
 
 private:
-    bool affine() const { return setup_.matrix.affine; }
+    bool affine() const { return !setup_.matrix.divides(); }
     BlockAction action(const StackBlock& b, ScreenBounds& bounds) const;
     void split(bool along_u);
 
@@ -192,7 +194,7 @@ template <class SampleSink>
 void sample_block(const DrawSetup& setup, const DrawMemory& memory, const BlockShading* shading,
                   const Emitter<SampleSink>& emit) {
     const auto each = [&](const Sample& s) { emit(s, shading); };
-    if (setup.sampling == Sampling::centre) {
+    if (!hw::built(hw::Feature::leaf_sampling) || setup.sampling == Sampling::centre) {
         emit.counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
     } else {
         sample_leaves(memory.corners, setup.spec, each);
@@ -300,15 +302,22 @@ DrawCounts draw(const Surfaces& surfaces, std::span<const std::uint32_t> order,
                 const DrawSetup& setup, DrawMemory& memory, SampleSink& sink) {
     fixed::require(order.empty() || order.size() == surfaces.patches.size(),
                    "draw: the order is not one of these patches");
+    const bool diced = setup.form == PatchForm::diced;
+    fixed::require(hw::built(hw::Feature::dicing) || !diced, "draw: dicing is not built");
+    fixed::require(hw::built(hw::Feature::triangles) || surfaces.mesh.facets.empty(),
+                   "draw: triangles are not built");
     DrawCounts counts;
     const detail::Emitter<SampleSink> emit{setup, sink, counts};
-    const bool diced = setup.form == PatchForm::diced;
     if (!diced) detail::draw_patches(surfaces.patches, order, setup, memory, emit);
     const std::uint64_t of_patches = counts.samples;
-    if (diced || !surfaces.mesh.facets.empty()) {
-        FacetWalk walk(setup.spec, setup.matrix, setup.object, setup.work, SampleSink::shades);
-        if (diced) detail::draw_diced(surfaces.patches, order, setup, memory, walk, emit);
-        detail::draw_facets(surfaces.mesh, setup, walk, emit);
+    if constexpr (hw::built(hw::Feature::triangles)) {
+        if (diced || !surfaces.mesh.facets.empty()) {
+            FacetWalk walk(setup.spec, setup.matrix, setup.object, setup.work, SampleSink::shades);
+            if constexpr (hw::built(hw::Feature::dicing)) {
+                if (diced) detail::draw_diced(surfaces.patches, order, setup, memory, walk, emit);
+            }
+            detail::draw_facets(surfaces.mesh, setup, walk, emit);
+        }
     }
     counts.facet_samples = counts.samples - of_patches;
     return counts;

@@ -178,7 +178,7 @@ const FacetWalk::Seen& FacetWalk::see(std::uint32_t number) {
     const hw::Words words = to_object_words(mesh_.vertices[number], object_);
     s.number = number;
     s.mesh = mesh_number_;
-    s.screen = unit_.matrix().affine ? affine_place(unit_, words)
+    s.screen = !unit_.matrix().divides() ? affine_place(unit_, words)
                                      : homogeneous_place(words, unit_.matrix(), spec_, object_);
     s.outside = outside(s.screen, band_);
     s.has_corner = s.outside == 0 && to_corner(s.screen, s.corner);
@@ -222,7 +222,7 @@ FacetWalk::Outcome FacetWalk::project(const Facet& facet) {
 // Within the band every quotient fits; only W may have none.
 bool FacetWalk::to_corner(const ScreenPlace& p, Corner& out) const {
     const auto narrow = [](std::int64_t v) { return static_cast<std::int32_t>(v); };
-    if (unit_.matrix().affine) {
+    if (!unit_.matrix().divides()) {
         out = {narrow(p[0]), narrow(p[1]), narrow(p[2])};
         return true;
     }

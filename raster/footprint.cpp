@@ -29,7 +29,7 @@ Visibility patch_footprint(const Patch& patch, const MatrixWords& matrix, const 
                            WordFormat object, Footprint& out) {
     const ObjectWords words = to_object_words(patch, object);
     ScreenBounds bounds{};
-    if (matrix.affine) {
+    if (!matrix.divides()) {
         bounds = affine_bounds(affine_components(words, matrix, spec, object));
     } else {
         const Visibility v =

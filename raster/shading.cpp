@@ -98,7 +98,7 @@ UnitVector unit_vector(WideVector v) {
 // The eye is target + distance back, rounded half up to Q15.16 and again to the place's format.
 Toward toward_eye(const View& view, hw::WordFormat object) {
     Toward t;
-    t.to_point = view.projection == Projection::perspective;
+    t.to_point = has_eye(view);
     const Axis& back = view.axes.back;
     for (std::size_t k = 0; k < 3; ++k)
         t.direction[k] = static_cast<std::int32_t>(

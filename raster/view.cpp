@@ -23,7 +23,7 @@ ExactVector exact(const Axis& a) { return {q30(a[0]), q30(a[1]), q30(a[2])}; }
 // The point that matrices measure from: the target, or the eye of a perspective view.
 ExactVector origin(const View& v) {
     ExactVector o{q16(v.target.x), q16(v.target.y), q16(v.target.z)};
-    if (v.projection == Projection::perspective) {
+    if (has_eye(v)) {
         const ExactVector back = exact(v.axes.back);
         for (std::size_t k = 0; k < 3; ++k) o[k] += q16(v.distance) * back[k];
     }
@@ -33,7 +33,7 @@ ExactVector origin(const View& v) {
 // Pixels a world unit at the target (orthographic: everywhere), times `distance` in perspective.
 Rational focal(const View& v, const MachineSpec& spec) {
     const Rational scale = Rational(spec.half_px()) / q16(v.extent);
-    return v.projection == Projection::perspective ? scale * q16(v.distance) : scale;
+    return has_eye(v) ? scale * q16(v.distance) : scale;
 }
 
 // scale (a, -a . o)

@@ -17,6 +17,7 @@
 // Not emulated: how a host of 1978 made the matrices, and in what precision.
 #pragma once
 
+#include "hw/features.hpp"
 #include "hw/transform_unit.hpp"
 #include "raster/scene.hpp"
 #include "raster/vector.hpp"
@@ -69,6 +70,10 @@ struct View {
     std::int64_t near_depth = 0;   // Q.16
     std::int64_t far_depth = 0;    // Q.16, > near_depth (> 0 in perspective)
 };
+
+constexpr bool has_eye(const View& v) {
+    return hw::built(hw::Feature::perspective) && v.projection == Projection::perspective;
+}
 
 // The min and max depth of all control points and vertices in the view, Q.16, rounded outward.
 struct DepthRange {

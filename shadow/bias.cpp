@@ -16,7 +16,7 @@ BiasUnits bias_units(const raster::View& light, const hw::MachineSpec& spec) {
     BiasUnits u;
     u.texels_per_world = Rational(spec.half_px()) / q16(light.extent);
     u.quanta_per_world = codes / range;
-    if (light.projection == raster::Projection::perspective) {
+    if (raster::has_eye(light)) {
         const Rational d = q16(light.distance);
         u.quanta_per_world =
             codes * q16(light.far_depth) * q16(light.near_depth) / (range * d * d);

@@ -29,7 +29,7 @@ public:
                 const hw::TransformUnit& unit, const ShadowTest& settings,
                 std::span<std::uint8_t> mask, bool noise)
         : store_(store), map_(map), unit_(unit), settings_(settings), mask_(mask),
-          draws_noise_(noise) {
+          draws_noise_(hw::built(hw::Feature::dither) && noise) {
         check_machine(settings.machine);
         check_observer<Depth>(store, settings.machine);
         fixed::require(store.shades(),

@@ -63,7 +63,8 @@ constexpr LightPlace light_place(const hw::MachineSpec& spec, const hw::Point& p
 
 // Whether the lookup reads four texels: without fraction bits there are no weights.
 constexpr bool interpolates(const hw::MachineSpec& spec, Lookup lookup) {
-    return lookup == Lookup::bilinear && spec.fraction_bits > 0;
+    return hw::built(hw::Feature::bilinear) && lookup == Lookup::bilinear &&
+           spec.fraction_bits > 0;
 }
 
 struct TexelPlace {

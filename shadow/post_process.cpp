@@ -17,6 +17,7 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
     const hw::TransformUnit unit(spec, matrix, work.unit);
     const LightMap<Depth> map = light_map(maps.light, test);
     const int size = spec.size_px();
+    const bool draws_noise = hw::built(hw::Feature::dither) && work.noise;
     const LineSet lines =
         work.empty_lines ? LineSet::all(size)
                          : lines_with_visible<Depth>(observer.depth, size, spec.background());
@@ -29,7 +30,7 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
         // The noise is clocked at every pixel, visible or not.
         hw::NoiseSource noise(drawn_dither(test), spec, 0, y);
         for (int x = 0; x < size; ++x) {
-            const hw::DitherWords d = work.noise ? noise.next() : hw::DitherWords{0, 0};
+            const hw::DitherWords d = draws_noise ? noise.next() : hw::DitherWords{0, 0};
             const std::size_t a = observer.address(x, y);
             const std::uint32_t code = observer.depth[a];
             const bool visible = code != spec.background();

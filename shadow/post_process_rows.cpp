@@ -260,8 +260,9 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
         transform_row(depth, span, row_shares(settings, matrix, y),
                       static_cast<std::int32_t>(m.depth_offset()),
                       m.input_fraction() - m.depth_fraction(), memory);
-        if (!hw::silent(settings.dither, m)) add_dither(settings, y, span, memory);
-        counts.shadowed += settings.lookup == Lookup::nearest
+        if (hw::built(hw::Feature::dither) && !hw::silent(settings.dither, m))
+            add_dither(settings, y, span, memory);
+        counts.shadowed += !hw::built(hw::Feature::bilinear) || settings.lookup == Lookup::nearest
                                ? nearest_row(depth, maps.light, span, m, memory, out)
                                : bilinear_row(depth, maps.light, span, settings, memory, out);
     }

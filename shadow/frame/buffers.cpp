@@ -44,7 +44,7 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
     f.order = carver.take<std::uint32_t>(patches);
     f.nearest = carver.take<std::int64_t>(patches);
     f.draw = carver.take<raster::DrawMemory>(1).data();
-    f.rows = carver.take<RowMemory>(1).data();
+    f.rows = carver.take<RowMemory>(hw::built(hw::Feature::rows) ? 1 : 0).data();
     return f;
 }
 
@@ -69,7 +69,7 @@ FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& sp
     Carver carver(memory.data());
     FrameBuffers<Depth> f = lay_out<Depth>(carver, spec, patches, lights);
     new (f.draw) raster::DrawMemory;
-    new (f.rows) RowMemory;
+    if (hw::built(hw::Feature::rows)) new (f.rows) RowMemory;
     return f;
 }
 

@@ -9,38 +9,47 @@ namespace {
 
 using raster::Footprint;
 
-// Where the samples of a scene's surfaces lie in a view. `seen` is false of what the drawing leaves
-// out as outside; else the footprint holds all its samples.
-class SurfaceView {
+// Whether a surface may have samples in a view: false of what the drawing leaves out as outside;
+// else the footprint holds all of them.
+class PatchView {
 public:
-    SurfaceView(const FrameInputs& in, const hw::MatrixWords& matrix)
-        : in_(in), matrix_(matrix),
-          diced_(in.settings.machine, matrix, in.matrices.object),
-          walk_(in.settings.machine, matrix, in.matrices.object, hw::UnitWork{}, false) {
-        walk_.begin(in.scene.mesh);
-    }
+    PatchView(const FrameInputs& in, const hw::MatrixWords& matrix) : in_(in), matrix_(matrix) {}
 
     bool seen(const raster::Patch& patch, Footprint& footprint) const {
-        const bool subdivided = in_.settings.surface == raster::PatchForm::catmull;
-        const raster::Visibility v =
-            subdivided ? raster::patch_footprint(patch, matrix_, in_.settings.machine,
-                                                 in_.matrices.object, footprint)
-                       : diced_.footprint(patch, footprint);
-        return v != raster::Visibility::outside;
-    }
-
-    // A facet of which a corner has no quotient is not drawn, but that is for the drawing to say.
-    bool seen(const raster::Facet& facet, Footprint& footprint) {
-        const auto outcome = walk_.project(facet);
-        footprint = raster::whole_frame(in_.settings.machine);
-        return outcome == raster::FacetWalk::Outcome::unresolved ||
-               (outcome != raster::FacetWalk::Outcome::outside && walk_.footprint(footprint));
+        const hw::MachineSpec& spec = in_.settings.machine;
+        const hw::WordFormat object = in_.matrices.object;
+        if constexpr (hw::built(hw::Feature::dicing)) {
+            if (in_.settings.surface == raster::PatchForm::diced)
+                return raster::DicedView(spec, matrix_, object).footprint(patch, footprint) !=
+                       raster::Visibility::outside;
+        }
+        return raster::patch_footprint(patch, matrix_, spec, object, footprint) !=
+               raster::Visibility::outside;
     }
 
 private:
     const FrameInputs& in_;
     const hw::MatrixWords& matrix_;
-    raster::DicedView diced_;
+};
+
+class FacetView {
+public:
+    FacetView(const FrameInputs& in, const hw::MatrixWords& matrix)
+        : all_(raster::whole_frame(in.settings.machine)),
+          walk_(in.settings.machine, matrix, in.matrices.object, hw::UnitWork{}, false) {
+        walk_.begin(in.scene.mesh);
+    }
+
+    // A facet of which a corner has no quotient is not drawn, but that is for the drawing to say.
+    bool seen(const raster::Facet& facet, Footprint& footprint) {
+        const auto outcome = walk_.project(facet);
+        footprint = all_;
+        return outcome == raster::FacetWalk::Outcome::unresolved ||
+               (outcome != raster::FacetWalk::Outcome::outside && walk_.footprint(footprint));
+    }
+
+private:
+    Footprint all_;
     raster::FacetWalk walk_;
 };
 
@@ -113,16 +122,19 @@ Reach cull(const FrameInputs& in, std::size_t light) {
             reach.into_light = may_reach(word_box(footprint, in.settings), in, m.observer_to_light);
         }
     };
-    SurfaceView light_view(in, m.world_to_light);
-    SurfaceView observer_view(in, in.matrices.world_to_observer);
-    const auto count_all = [&](const auto& surfaces) {
+    const auto count_all = [&](const auto& surfaces, auto light_view, auto observer_view) {
         Footprint of_light{}, of_observer{};
         for (const auto& surface : surfaces)
             count(light_view.seen(surface, of_light), observer_view.seen(surface, of_observer),
                   of_observer);
     };
-    count_all(in.scene.patches);
-    count_all(in.scene.mesh.facets);
+    count_all(in.scene.patches, PatchView(in, m.world_to_light),
+              PatchView(in, in.matrices.world_to_observer));
+    if constexpr (hw::built(hw::Feature::triangles)) {
+        if (!in.scene.mesh.facets.empty())
+            count_all(in.scene.mesh.facets, FacetView(in, m.world_to_light),
+                      FacetView(in, in.matrices.world_to_observer));
+    }
     return reach;
 }
 

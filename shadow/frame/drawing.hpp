@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shadow/frame/buffers.hpp"
+#include "shadow/frame/features.hpp"
 #include "shadow/frame/plan.hpp"
 
 #include <cstdint>
@@ -22,6 +23,8 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
                light.mask.size() == pixels && light.edges.size() == pixels &&
                light.filtered.size() == pixels;
     }
+    fixed::require(missing_feature(in.scene, in.settings).empty(),
+                   "this build leaves out a stage that is asked for");
     fixed::require(fits, "frame carved for other widths than the settings have");
     fixed::require(m.z_bits <= static_cast<int>(8 * sizeof(Depth)),
                    "frame carved for fewer bits of Z than the settings have");

@@ -89,6 +89,10 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     LineSet lines = plan.leaves_out(Omission::lit_lines, l) ? lines_with_shadow(light.mask, size)
                                                             : LineSet::all(size);
     copy(light.mask, light.edges);
+    if constexpr (!hw::built(hw::Feature::filters)) {
+        copy(light.edges, light.filtered);
+        return lines;
+    }
     if (!plan.leaves_out(Omission::dequantize, l)) {
         counted.filtered_lines.dequantize = lines.count();
         counted.chain_steps =

@@ -1,5 +1,6 @@
 #include "shadow/frame/inputs.hpp"
 
+#include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
 
 namespace umbra78::shadow {
@@ -33,6 +34,7 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     using enum FrameStatus;
     const hw::MachineSpec& spec = settings.machine;
     fixed::require(scene.light_count <= max_lights, "scene with more than max_lights lights");
+    if (!missing_feature(scene, settings).empty()) return not_built;
     if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
     out.object = scene.streamed ? raster::object_format(scene.largest_streamed)
                                 : raster::object_format(scene.surfaces());

@@ -38,6 +38,7 @@ struct Scene {
 
 enum class FrameStatus : std::uint8_t {
     ok,
+    not_built,          // this build leaves out a stage that is asked for (frame/features.hpp)
     spec_out_of_range,  // a width outside its range (hw::check), or what the method cannot do
     observer_matrix,    // a coefficient of world -> observer outside the exponent's range
     light_matrix,

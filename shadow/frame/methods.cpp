@@ -7,9 +7,13 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace umbra78::shadow {
 namespace {
+
+using hw::built;
+using hw::Feature;
 
 hw::UnitCycles fixed_units(const hw::Operations& o, const Settings& s) {
     return hw::unit_cycles(o, s.machine);
@@ -23,7 +27,7 @@ void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t
     LightBuffers<Depth>& light = frame.lights[l];
     const hw::MatrixWords& matrix = in.matrices.lights[l].observer_to_light;
     PostProcessCounts& counted = counts.lights[l].post_process;
-    if constexpr (sizeof(Depth) == sizeof(hw::Depth16)) {
+    if constexpr (built(Feature::rows) && sizeof(Depth) == sizeof(hw::Depth16)) {
         if (work_of(plan) == needed_work(in.settings) && rows_cover(in.settings, matrix)) {
             counted = post_process_rows(frame.maps(l), matrix, in.settings, *frame.rows,
                                         light.mask);
@@ -124,71 +128,99 @@ constexpr MethodStages<Depth> array_stages{nullptr, cast_on_array<Depth>, cost_o
 
 // --- the table -----------------------------------------------------------------------------------
 
-constexpr std::array<Method, 3> table{{
-    {.name = "post_process",
-     .meaning = "visible pixels are tested after the picture is drawn (Williams 1978)",
-     .cannot = "a highlight in shadow is darkened and not left out",
-     .form = Form::post_process,
-     .arithmetic = Arithmetic::fixed,
-     .max_z_bits = 24,
-     .depth_layers = 1,
-     .surfaces = Surfaces::patches,
-     .plane = ExtraPlane::none,
-     .darkness = Darkness::binary,
-     .may_run_out = false,
-     .uses_transform_unit = true,
-     .trace = Trace::clocked_post_process,
-     .no_trace = "",
-     .no_plan_cost = "",
-     .load = nullptr,
-     .units = fixed_units,
-     .scene_cost = nullptr,
-     .plan_cost = post_process_cycles,
-     .stages16 = post_process_stages<hw::Depth16>,
-     .stages32 = post_process_stages<hw::Depth32>},
-    {.name = "correct",
-     .meaning = "each generated point is tested before it is shaded (Williams 1978, p. 272)",
-     .cannot = "its cost grows with everything that is drawn; it shades by one light",
-     .form = Form::correct,
-     .arithmetic = Arithmetic::fixed,
-     .max_z_bits = 24,
-     .depth_layers = 1,
-     .surfaces = Surfaces::patches,
-     .plane = ExtraPlane::none,
-     .darkness = Darkness::binary,
-     .may_run_out = false,
-     .uses_transform_unit = true,
-     .trace = Trace::none,
-     .no_trace = "the correct form has no post-process to watch; give --set form=post_process",
-     .no_plan_cost = "",
-     .load = nullptr,
-     .units = fixed_units,
-     .scene_cost = nullptr,
-     .plan_cost = post_process_cycles,
-     .stages16 = correct_stages<hw::Depth16>,
-     .stages32 = correct_stages<hw::Depth32>},
-    {.name = "ap120b",
-     .meaning = "the post-process in the floating point of an FPS AP-120B",
-     .cannot = "no correct form, and z_bits up to 16, because the host sends 16-bit integers",
-     .form = Form::post_process,
-     .arithmetic = Arithmetic::ap120b,
-     .max_z_bits = 16,
-     .depth_layers = 1,
-     .surfaces = Surfaces::patches,
-     .plane = ExtraPlane::none,
-     .darkness = Darkness::binary,
-     .may_run_out = false,
-     .uses_transform_unit = false,
-     .trace = Trace::none,
-     .no_trace = "only the fixed-point machine can be watched; give --set arithmetic=fixed",
-     .no_plan_cost = "only the fixed-point machine has a plan; give --set arithmetic=fixed",
-     .load = load_array,
-     .units = array_units,
-     .scene_cost = nullptr,
-     .plan_cost = nullptr,
-     .stages16 = array_stages<hw::Depth16>,
-     .stages32 = array_stages<hw::Depth32>},
-}};
+// A method's work, as far as this build has it.
+template <class Depth>
+constexpr MethodStages<Depth> as_built(MethodStages<Depth> stages) {
+    if (sizeof(Depth) > sizeof(hw::Depth16) && !built(Feature::z32)) return {};
+    if (!built(Feature::ledger)) stages.frame_cost = nullptr;
+    return stages;
+}
+constexpr auto cost_of_plan = built(Feature::ledger) ? post_process_cycles : nullptr;
+constexpr std::string_view no_cost =
+    built(Feature::ledger) ? "" : "the ledger is not built; build with the feature ledger";
+
+constexpr Method post_process_method{
+    .name = "post_process",
+    .meaning = "visible pixels are tested after the picture is drawn (Williams 1978)",
+    .cannot = "a highlight in shadow is darkened and not left out",
+    .form = Form::post_process,
+    .arithmetic = Arithmetic::fixed,
+    .max_z_bits = 24,
+    .depth_layers = 1,
+    .surfaces = Surfaces::patches,
+    .plane = ExtraPlane::none,
+    .darkness = Darkness::binary,
+    .may_run_out = false,
+    .uses_transform_unit = true,
+    .trace = Trace::clocked_post_process,
+    .no_trace = "",
+    .no_plan_cost = no_cost,
+    .load = nullptr,
+    .units = fixed_units,
+    .scene_cost = nullptr,
+    .plan_cost = cost_of_plan,
+    .stages16 = as_built(post_process_stages<hw::Depth16>),
+    .stages32 = as_built(post_process_stages<hw::Depth32>)};
+
+constexpr Method correct_method{
+    .name = "correct",
+    .meaning = "each generated point is tested before it is shaded (Williams 1978, p. 272)",
+    .cannot = "its cost grows with everything that is drawn; it shades by one light",
+    .form = Form::correct,
+    .arithmetic = Arithmetic::fixed,
+    .max_z_bits = 24,
+    .depth_layers = 1,
+    .surfaces = Surfaces::patches,
+    .plane = ExtraPlane::none,
+    .darkness = Darkness::binary,
+    .may_run_out = false,
+    .uses_transform_unit = true,
+    .trace = Trace::none,
+    .no_trace = "the correct form has no post-process to watch; give --set form=post_process",
+    .no_plan_cost = no_cost,
+    .load = nullptr,
+    .units = fixed_units,
+    .scene_cost = nullptr,
+    .plan_cost = cost_of_plan,
+    .stages16 = as_built(correct_stages<hw::Depth16>),
+    .stages32 = as_built(correct_stages<hw::Depth32>)};
+
+constexpr Method array_method{
+    .name = "ap120b",
+    .meaning = "the post-process in the floating point of an FPS AP-120B",
+    .cannot = "no correct form, and z_bits up to 16, because the host sends 16-bit integers",
+    .form = Form::post_process,
+    .arithmetic = Arithmetic::ap120b,
+    .max_z_bits = 16,
+    .depth_layers = 1,
+    .surfaces = Surfaces::patches,
+    .plane = ExtraPlane::none,
+    .darkness = Darkness::binary,
+    .may_run_out = false,
+    .uses_transform_unit = false,
+    .trace = Trace::none,
+    .no_trace = "only the fixed-point machine can be watched; give --set arithmetic=fixed",
+    .no_plan_cost = "only the fixed-point machine has a plan; give --set arithmetic=fixed",
+    .load = load_array,
+    .units = array_units,
+    .scene_cost = nullptr,
+    .plan_cost = nullptr,
+    .stages16 = as_built(array_stages<hw::Depth16>),
+    .stages32 = as_built(array_stages<hw::Depth32>)};
+
+// The rows that are built.
+constexpr std::size_t rows_built =
+    1 + (built(Feature::correct_form) ? 1 : 0) + (built(Feature::ap120b) ? 1 : 0);
+
+constexpr std::array<Method, rows_built> build_table() {
+    std::array<Method, rows_built> rows{};
+    std::size_t n = 0;
+    rows[n++] = post_process_method;
+    if constexpr (built(Feature::correct_form)) rows[n++] = correct_method;
+    if constexpr (built(Feature::ap120b)) rows[n++] = array_method;
+    return rows;
+}
+constexpr std::array<Method, rows_built> table = build_table();
 
 }  // namespace
 

@@ -84,7 +84,10 @@ void plan_filters(const FrameInputs& now, std::size_t l, FramePlan& plan) {
 }
 
 void plan_reuse(const FrameInputs& now, const FrameInputs* before, FramePlan& plan) {
-    const Reuse same = before != nullptr ? find_reuse(*before, now) : Reuse{};
+    Reuse same{};
+    if constexpr (hw::built(hw::Feature::reuse)) {
+        if (before != nullptr) same = find_reuse(*before, now);
+    }
     const auto decision = [&](bool kept) {
         return kept ? left_out(unchanged)
                     : needed(before != nullptr ? changed : no_frame_before);

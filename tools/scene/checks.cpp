@@ -106,6 +106,7 @@ std::string explain(shadow::FrameStatus status) {
     using enum shadow::FrameStatus;
     switch (status) {
         case ok: return "";
+        case not_built: return "this build leaves out a stage that the settings ask for";
         case spec_out_of_range: return "a width of the machine is out of its range";
         case observer_matrix:
             return "the observer's matrix does not fit the machine's words; bring its extent "

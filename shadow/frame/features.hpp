@@ -1,0 +1,39 @@
+// Which stage a frame asks for that this build leaves out (hw/features.hpp).
+#pragma once
+
+#include "hw/features.hpp"
+#include "shadow/frame/inputs.hpp"
+
+#include <string_view>
+
+namespace umbra78::shadow {
+
+// The name of the first such feature; "" if all that is asked for is built. The remedy is to build
+// with it: -DUMBRA78_FEATURES="...;name".
+constexpr std::string_view missing_feature(const Scene& scene, const Settings& s) {
+    using enum hw::Feature;
+    const auto eye = [](const raster::View& v) {
+        return v.projection == raster::Projection::perspective;
+    };
+    bool eyes = eye(scene.observer);
+    for (std::size_t l = 0; l < scene.light_count; ++l) eyes = eyes || eye(scene.lights[l]);
+    const bool diced = s.surface == raster::PatchForm::diced;
+    const struct {
+        hw::Feature feature;
+        bool asked_for;
+    } all[] = {{perspective, eyes},
+               {triangles, diced || !scene.mesh.facets.empty()},
+               {dicing, diced},
+               {leaf_sampling, s.sampling == raster::Sampling::leaf},
+               {bilinear, s.lookup == Lookup::bilinear},
+               {dither, s.dither.shape != hw::DitherShape::none},
+               {correct_form, s.form == Form::correct},
+               {ap120b, s.arithmetic == Arithmetic::ap120b},
+               {filters, s.dequantize_passes > 0 || s.low_pass_passes > 0},
+               {z32, s.machine.z_bits > 16}};
+    for (const auto& [feature, asked_for] : all)
+        if (asked_for && !hw::built(feature)) return hw::name_of(feature);
+    return "";
+}
+
+}  // namespace umbra78::shadow
