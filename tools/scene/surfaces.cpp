@@ -97,6 +97,7 @@ void take_origin(const raster::World& origin, LoadedScene& scene) {
     for (raster::Patch& patch : scene.patches)
         for (raster::World& point : patch.control) take(point);
     for (raster::World& vertex : scene.vertices) take(vertex);
+    if (scene.stream) scene.stream->take_origin(origin);
     scene.origin = origin;
 }
 

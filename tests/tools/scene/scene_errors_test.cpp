@@ -40,7 +40,8 @@ TEST(SceneErrors, TheWholeScene) {
          "a.toml:1: unknown key 'ligth' in the scene; did you mean 'light'?"},
         {"title = \"a\"\n",
          "a.toml:1: unknown key 'title' in the scene; known here: observer, light, "
-         "material, sphere, plane, patch, torus, cylinder, cone, box, triangle, model, settings"},
+         "material, sphere, plane, patch, torus, cylinder, cone, box, triangle, model, "
+         "stream, settings"},
         {"light = 3\n",
          "a.toml:1: [light] is the number 3; write [light] and its keys below it"},
         {"[[light]]\nazimuth = 1\n",
