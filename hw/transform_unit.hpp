@@ -47,6 +47,7 @@ struct MatrixWords {
     std::array<std::array<std::int32_t, 4>, 4> word{};  // [row][column], Q1.(C - 2)
     std::array<int, 4> exponent{};                      // value = word 2^(exponent - C + 2)
     bool affine = true;                                 // the W row is (0, 0, 0, 1)
+    constexpr bool operator==(const MatrixWords&) const = default;
 };
 
 enum class LoadStatus : std::uint8_t { ok, exponent_out_of_range };

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "raster/dice.hpp"
+#include "raster/diced_view.hpp"
 #include "raster/facet.hpp"
 #include "raster/footprint.hpp"
 #include "raster/leaf_centres.hpp"
@@ -72,6 +73,11 @@ enum class PatchForm : std::uint8_t { catmull, diced };
 // Which facets are drawn: all, or those whose vertices turn counter-clockwise as they are seen.
 enum class Facing : std::uint8_t { both, front };
 
+// Which surfaces are drawn: all; those of which a sample may lie in the view; or the others, which
+// changes no store. A patch is outside by its control points' bounds, a facet of the mesh by its
+// corners.
+enum class Drawn : std::uint8_t { all, inside, outside };
+
 struct DrawSetup {
     MachineSpec spec;
     MatrixWords matrix;  // object words to screen
@@ -87,6 +93,13 @@ struct DrawSetup {
     // on the order of the patches.
     bool leaves_out_hidden = true;
     hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point
+    Drawn drawn = Drawn::all;
+
+    // `outside` is asked only where it matters.
+    template <class Outside>
+    bool draws(Outside&& outside) const {
+        return drawn == Drawn::all || outside() == (drawn == Drawn::outside);
+    }
 };
 
 inline constexpr int deepest_level = 24;  // halvings in each direction
@@ -122,6 +135,12 @@ public:
         : setup_(setup), memory_(memory), shades_(shades), counts_(counts) {}
 
     void push_patch(const Patch& patch);
+    // Whether the patch pushed last is out of the view as a whole, and how it is taken off again.
+    bool outside() const {
+        ScreenBounds bounds;
+        return action(memory_.stack[depth_ - 1], bounds) == BlockAction::outside;
+    }
+    void drop_patch() { --depth_; }
     // Pops, splits and pushes until a block is ready to be drawn; false when none is left.
     bool next(ScreenBounds& bounds);
     // The popped block's corners; false if it had to be dropped.
@@ -188,8 +207,12 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
         const Material* material = material_of<SampleSink>(patch.material, setup);
-        ++counts.patches;
         walk.push_patch(patch);
+        if (!setup.draws([&] { return walk.outside(); })) {
+            walk.drop_patch();
+            continue;
+        }
+        ++counts.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
             if (setup.leaves_out_hidden && emit.sink.hidden(footprint(bounds, setup.spec))) {
@@ -211,15 +234,17 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
     }
 }
 
+// `all`: whatever setup.drawn says, for a mesh that was chosen as a whole.
 template <class SampleSink>
 void draw_facets(const Mesh& mesh, const DrawSetup& setup, FacetWalk& walk,
-                 const Emitter<SampleSink>& emit) {
+                 const Emitter<SampleSink>& emit, bool all = false) {
     DrawCounts& counts = emit.counts;
     walk.begin(mesh);
     for (const Facet& facet : mesh.facets) {
         const Material* material = material_of<SampleSink>(facet.material, setup);
-        ++counts.facets;
         const FacetWalk::Outcome outcome = walk.project(facet);
+        if (!all && !setup.draws([&] { return walk.unseen(outcome); })) continue;
+        ++counts.facets;
         if (outcome == FacetWalk::Outcome::unresolved) ++counts.unresolved_facets;
         if (outcome == FacetWalk::Outcome::cut) ++counts.cut_facets;
         if (outcome > FacetWalk::Outcome::cut) continue;
@@ -251,14 +276,16 @@ template <class SampleSink>
 void draw_diced(std::span<const Patch> patches, std::span<const std::uint32_t> order,
                 const DrawSetup& setup, DrawMemory& memory, FacetWalk& walk,
                 const Emitter<SampleSink>& emit) {
+    const DicedView view(setup.spec, setup.matrix, setup.object);
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
+        if (!setup.draws([&] { return view.outside(patch); })) continue;
         const DiceLevels levels = dice_levels(patch, setup.dice_levels, setup.dice_tolerance);
         const Mesh mesh = dice(patch, levels, SampleSink::shades, memory.dice);
         ++emit.counts.patches;
         ++emit.counts.diced_patches;
         emit.counts.diced_vertices += mesh.vertices.size();
-        draw_facets(mesh, setup, walk, emit);
+        draw_facets(mesh, setup, walk, emit, true);
     }
 }
 

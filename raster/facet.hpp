@@ -91,6 +91,11 @@ public:
 
     // Of the facet that was projected last, if it is ready or cut:
     bool footprint(Footprint& out) const;  // false if it lies outside the cube
+    // Whether a facet with this outcome has no sample in the view.
+    bool unseen(Outcome outcome) const {
+        Footprint f;
+        return outcome == Outcome::outside || (outcome <= Outcome::cut && !footprint(f));
+    }
     std::size_t triangles() const { return polygon_.count - 2; }
     FacetTriangle triangle(std::size_t k) const;
     const std::array<WideVector, 3>& facet() const { return facet_; }

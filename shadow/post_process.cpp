@@ -1,6 +1,10 @@
 // The definition of the post-process: one pixel after the other, through the units themselves.
 #include "shadow/post_process.hpp"
 
+#include "shadow/lines.hpp"
+
+#include <algorithm>
+
 namespace umbra78::shadow {
 
 template <class Depth>
@@ -12,11 +16,19 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
     const hw::FrameStore<const Depth>& observer = maps.observer;
     const hw::TransformUnit unit(spec, matrix, work.unit);
     const LightMap<Depth> map = light_map(maps.light, test);
+    const int size = spec.size_px();
+    const LineSet lines =
+        work.empty_lines ? LineSet::all(size)
+                         : lines_with_visible<Depth>(observer.depth, size, spec.background());
     PostProcessCounts counts;
-    for (int y = 0; y < spec.size_px(); ++y) {
+    for (int y = 0; y < size; ++y) {
+        if (!lines.has(y)) {
+            std::fill_n(mask.data() + observer.address(0, y), size, mask_lit);
+            continue;
+        }
         // The noise is clocked at every pixel, visible or not.
         hw::NoiseSource noise(drawn_dither(test), spec, 0, y);
-        for (int x = 0; x < spec.size_px(); ++x) {
+        for (int x = 0; x < size; ++x) {
             const hw::DitherWords d = work.noise ? noise.next() : hw::DitherWords{0, 0};
             const std::size_t a = observer.address(x, y);
             const std::uint32_t code = observer.depth[a];

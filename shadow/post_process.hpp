@@ -40,10 +40,11 @@ struct PostProcessWork {
     hw::UnitWork unit{};
     bool background = false;  // transforms pixels where nothing was drawn, too; they stay lit
     bool noise = true;        // draws noise, of amplitude 0 where dither is off
+    bool empty_lines = false;  // goes through scan lines with no visible pixel, too
     constexpr bool operator==(const PostProcessWork&) const = default;
 };
 constexpr PostProcessWork needed_work(const ShadowTest& s) {
-    return {{}, false, !hw::silent(s.dither, s.machine)};
+    return {{}, false, !hw::silent(s.dither, s.machine), false};
 }
 
 // The noise that is drawn for a frame: where dither is off, uniform noise of amplitude 0.

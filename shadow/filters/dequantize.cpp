@@ -52,16 +52,18 @@ template <class Depth>
 class Tracer {
 public:
     Tracer(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
-           Depth background, int passes, EdgeMemory memory)
+           Depth background, int passes, EdgeMemory memory, const LineSet& lines)
         : mask_(mask), depth_(observer.depth), background_(background),
-          size_(observer.size_px()), passes_(passes), memory_(memory) {}
+          size_(observer.size_px()), passes_(passes), memory_(memory), lines_(lines) {}
 
     std::uint64_t trace_all() {
         std::fill(memory_.visited.begin(), memory_.visited.end(), 0u);
-        std::fill(memory_.coverage.begin(), memory_.coverage.end(), std::int16_t{0});
+        for (int y = 0; y < size_; ++y)
+            if (lines_.has(y))
+                std::fill_n(memory_.coverage.data() + y * (size_ + 2), size_ + 2, std::int16_t{0});
         std::uint64_t steps = 0;
         for (int y = 0; y < size_; ++y)
-            for (int x = 0; x < size_; ++x)
+            for (int x = 0; lines_.has(y) && x < size_; ++x)
                 if (shadow(x, y) && !shadow(x, y - 1) && !visited(x, y)) steps += trace(x, y);
         return steps;
     }
@@ -159,6 +161,7 @@ private:
     Depth background_;
     int size_, passes_;
     EdgeMemory memory_;
+    const LineSet& lines_;
 };
 
 }  // namespace
@@ -166,8 +169,8 @@ private:
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
-                         EdgeMemory memory, std::span<std::uint8_t> out) {
-    check_filter(mask, observer, out);
+                         EdgeMemory memory, std::span<std::uint8_t> out, const LineSet& lines) {
+    check_filter(mask, observer, out, lines);
     fixed::require(passes >= 0 && passes <= max_dequantize_passes, "dequantize: 0 to 6 passes");
     const std::size_t visited = edge_visited_words(observer.xy_bits);
     const std::size_t coverage = edge_coverage_words(observer.xy_bits);
@@ -175,9 +178,10 @@ std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                    "dequantize: its memory is too small for the frame");
     memory = {memory.visited.first(visited), memory.coverage.first(coverage)};
     const std::uint64_t steps =
-        Tracer<Depth>(mask, observer, background, passes, memory).trace_all();
+        Tracer<Depth>(mask, observer, background, passes, memory, lines).trace_all();
     const int size = observer.size_px();
     for (int y = 0; y < size; ++y) {
+        if (!lines.has(y)) continue;
         const std::int16_t* row = memory.coverage.data() + y * (size + 2);
         int area = 0;  // of 256
         for (int x = 0; x < size; ++x) {
@@ -194,9 +198,9 @@ std::uint64_t dequantize(std::span<const std::uint8_t> mask,
 
 template std::uint64_t dequantize(std::span<const std::uint8_t>,
                                   const hw::ReadOnlyStore<hw::Depth16>&, hw::Depth16, int,
-                                  EdgeMemory, std::span<std::uint8_t>);
+                                  EdgeMemory, std::span<std::uint8_t>, const LineSet&);
 template std::uint64_t dequantize(std::span<const std::uint8_t>,
                                   const hw::ReadOnlyStore<hw::Depth32>&, hw::Depth32, int,
-                                  EdgeMemory, std::span<std::uint8_t>);
+                                  EdgeMemory, std::span<std::uint8_t>, const LineSet&);
 
 }  // namespace umbra78::shadow

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "hw/frame_store.hpp"
+#include "shadow/lines.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,9 +41,19 @@ constexpr std::size_t edge_coverage_words(int xy_bits) {
 // have a byte a pixel and may be one span. `passes` is 0 .. max_dequantize_passes; with 0 the mask
 // comes out as it is, as 0 and 255. `memory` may be larger than needed. Returns the number of chain
 // steps followed.
+// `lines` has at least those with a shadow; the others are left as they are in `out`. A chain that
+// passes a line runs along a shadow pixel of it, and smoothing moves no node beyond the first and
+// the last line of its chain: so a line that is all lit comes out all lit.
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
-                         EdgeMemory memory, std::span<std::uint8_t> out);
+                         EdgeMemory memory, std::span<std::uint8_t> out, const LineSet& lines);
+template <class Depth>
+std::uint64_t dequantize(std::span<const std::uint8_t> mask,
+                         const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
+                         EdgeMemory memory, std::span<std::uint8_t> out) {
+    return dequantize<Depth>(mask, observer, background, passes, memory, out,
+                             LineSet::all(observer.size_px()));
+}
 
 }  // namespace umbra78::shadow

@@ -51,14 +51,15 @@ void inner_row(const std::uint8_t* mask, const Depth* depth, int stride, Depth b
 
 template <class Depth>
 void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
-              Depth background, std::span<std::uint8_t> out) {
-    check_filter(mask, observer, out);
+              Depth background, std::span<std::uint8_t> out, const LineSet& lines) {
+    check_filter(mask, observer, out, lines);
     const auto from = reinterpret_cast<std::uintptr_t>(mask.data());
     const auto to = reinterpret_cast<std::uintptr_t>(out.data());
     fixed::require(from + mask.size() <= to || to + out.size() <= from,
                    "low-pass: the mask and the result overlap");
     const int size = observer.size_px(), last = size - 1;
     for (int y = 0; y < size; ++y) {
+        if (!lines.has(y)) continue;
         const std::size_t row = observer.address(0, y);
         const bool border = y == 0 || y == last;
         if (!border)
@@ -70,8 +71,8 @@ void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>
 }
 
 template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<hw::Depth16>&,
-                       hw::Depth16, std::span<std::uint8_t>);
+                       hw::Depth16, std::span<std::uint8_t>, const LineSet&);
 template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<hw::Depth32>&,
-                       hw::Depth32, std::span<std::uint8_t>);
+                       hw::Depth32, std::span<std::uint8_t>, const LineSet&);
 
 }  // namespace umbra78::shadow

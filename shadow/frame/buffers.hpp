@@ -62,10 +62,17 @@ struct Capacity {
     std::uint64_t needed = 0;
 };
 
+// Scan lines that the filters and the composite went through; the low-pass's of all its passes.
+struct FilteredLines {
+    std::uint64_t dequantize = 0, low_pass = 0, composite = 0;
+    constexpr bool operator==(const FilteredLines&) const = default;
+};
+
 struct LightCounts {
     raster::DrawCounts map;
     PostProcessCounts post_process;  // correct form: visible is every generated point
     std::uint64_t chain_steps = 0;   // that dequantizing followed
+    FilteredLines filtered_lines;
     Capacity capacity;
 };
 

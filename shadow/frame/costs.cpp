@@ -48,15 +48,21 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
     const bool affine = drawn.inputs.matrices.lights[light].observer_to_light.affine;
     const bool when_drawn = method_of(drawn.inputs).tests_when_drawn();
     const std::uint64_t pixels = std::uint64_t{1} << (2 * s.machine.xy_bits);
+    // A line that is left out takes a cycle, for its bit and the noise's jump over it.
+    const auto lines = static_cast<std::uint64_t>(s.machine.size_px());
+    const bool whole = when_drawn || !plan.leaves_out(Omission::empty_lines);
+    const std::uint64_t empty = whole ? 0 : lines - drawn.ledger.lines.visible;
+    const std::uint64_t read = pixels - empty * lines;
     const std::uint64_t tested = when_drawn ? drawn.ledger.observer_counts.samples
                                  : plan.leaves_out(Omission::background_pixels)
                                      ? drawn.ledger.visible
-                                     : pixels;
+                                     : read;
     StageCycles c = points(tested, s, affine, !affine || plan.unit_work().divide, plan);
     if (!plan.leaves_out(Omission::noise))
-        c.noise = (when_drawn ? tested : pixels) *
+        c.noise = (when_drawn ? tested : read) *
                   word(hw::ClockedNoise::cycles_per_pixel(drawn_dither(s), s.timing));
-    c.store = tested * word(LookupPipeline(s).fetch_cycles()) + (when_drawn ? 0 : 2 * pixels);
+    c.store = tested * word(LookupPipeline(s).fetch_cycles()) +
+              (when_drawn ? 0 : read + pixels + empty);
     return c;
 }
 
@@ -69,27 +75,36 @@ FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn) {
     const auto add = [&](FrameStage stage, bool left_out, const StageCycles& c) {
         if (!left_out) cycles[static_cast<std::size_t>(stage)] = c;
     };
+    const bool near = plan.leaves_out(Omission::lit_lines);
     const auto add_filter = [&](FrameStage stage, Omission omission, int passes,
-                                const PhaseLedger& phase) {
+                                const PhaseLedger& all, const PhaseLedger& near_shadow) {
         StageCycles c;
-        c.operations = phase.units;
+        c.operations = near ? near_shadow.units : all.units;
         if (passes == 0) c.operations = {.store = planes_of_a_copy * pixels};
         add(stage, plan.leaves_out(omission) || plan.leaves_out(Omission::same_picture), c);
     };
+    const FrameLedger& l = drawn.ledger;
+    const bool inside = plan.leaves_out(Omission::outside_surfaces);
+    StageCycles copied;
+    copied.store = 2 * pixels;
     add(FrameStage::light,
         plan.leaves_out(Omission::same_light_map) || plan.leaves_out(Omission::light_map),
-        view(drawn, in.matrices.lights[0].world_to_light, drawn.ledger.light_counts,
-             !plan.leaves_out(Omission::light_shading), plan));
+        plan.leaves_out(Omission::light_drawing)
+            ? copied
+            : view(drawn, in.matrices.lights[0].world_to_light,
+                   inside ? l.light_inside : l.light_counts,
+                   !plan.leaves_out(Omission::light_shading), plan));
     add(FrameStage::observer, plan.leaves_out(Omission::same_observer),
-        view(drawn, in.matrices.world_to_observer, drawn.ledger.observer_counts, true, plan));
+        view(drawn, in.matrices.world_to_observer, inside ? l.observer_inside : l.observer_counts,
+             true, plan));
     add(FrameStage::post_process,
         plan.leaves_out(Omission::same_mask) || plan.leaves_out(Omission::post_process),
         method.plan_cost(drawn, plan, 0));
-    const FrameLedger& l = drawn.ledger;
     add_filter(FrameStage::dequantize, Omission::dequantize, in.settings.dequantize_passes,
-               l.dequantize);
-    add_filter(FrameStage::low_pass, Omission::low_pass, in.settings.low_pass_passes, l.low_pass);
-    add_filter(FrameStage::composite, Omission::composite, 1, l.composite);
+               l.dequantize, l.dequantize_near);
+    add_filter(FrameStage::low_pass, Omission::low_pass, in.settings.low_pass_passes, l.low_pass,
+               l.low_pass_near);
+    add_filter(FrameStage::composite, Omission::composite, 1, l.composite, l.composite_near);
     return cycles;
 }
 
@@ -104,7 +119,8 @@ Saving saving(Omission omission, const FramePlan& plan, const DrawnFrame& drawn)
     Saving s;
     // Points that are tested when drawn are counted by the drawing; so are the visible pixels. The
     // pixels of the frame are known before.
-    s.after_drawing = is(omission, {light_shading, background_pixels, post_process, same_mask}) ||
+    s.after_drawing = is(omission, {light_shading, background_pixels, post_process,
+                                    light_drawing, empty_lines, lit_lines, same_mask}) ||
                       (method_of(drawn.inputs).tests_when_drawn() &&
                        is(omission, {divide, w_row, constant_product, noise}));
     if (!plan.leaves_out(omission)) return s;

@@ -9,28 +9,38 @@ namespace {
 
 using raster::Footprint;
 
-// False if the whole patch is out of the view.
-bool seen(const raster::Patch& patch, const FrameInputs& in, const hw::MatrixWords& matrix,
-          Footprint& footprint) {
-    return raster::patch_footprint(patch, matrix, in.settings.machine, in.matrices.object,
-                                   footprint) != raster::Visibility::outside;
-}
-
-// The same for the facets of the scene's mesh. One whose corner has no quotient is not drawn.
-class FacetView {
+// Where the samples of a scene's surfaces lie in a view. `seen` is false of what the drawing leaves
+// out as outside; else the footprint holds all its samples.
+class SurfaceView {
 public:
-    FacetView(const FrameInputs& in, const hw::MatrixWords& matrix)
-        : walk_(in.settings.machine, matrix, in.matrices.object, hw::UnitWork{}, false) {
+    SurfaceView(const FrameInputs& in, const hw::MatrixWords& matrix)
+        : in_(in), matrix_(matrix),
+          diced_(in.settings.machine, matrix, in.matrices.object),
+          walk_(in.settings.machine, matrix, in.matrices.object, hw::UnitWork{}, false) {
         walk_.begin(in.scene.mesh);
     }
 
+    bool seen(const raster::Patch& patch, Footprint& footprint) const {
+        const bool subdivided = in_.settings.surface == raster::PatchForm::catmull;
+        const raster::Visibility v =
+            subdivided ? raster::patch_footprint(patch, matrix_, in_.settings.machine,
+                                                 in_.matrices.object, footprint)
+                       : diced_.footprint(patch, footprint);
+        return v != raster::Visibility::outside;
+    }
+
+    // A facet of which a corner has no quotient is not drawn, but that is for the drawing to say.
     bool seen(const raster::Facet& facet, Footprint& footprint) {
-        using enum raster::FacetWalk::Outcome;
         const auto outcome = walk_.project(facet);
-        return (outcome == ready || outcome == cut) && walk_.footprint(footprint);
+        footprint = raster::whole_frame(in_.settings.machine);
+        return outcome == raster::FacetWalk::Outcome::unresolved ||
+               (outcome != raster::FacetWalk::Outcome::outside && walk_.footprint(footprint));
     }
 
 private:
+    const FrameInputs& in_;
+    const hw::MatrixWords& matrix_;
+    raster::DicedView diced_;
     raster::FacetWalk walk_;
 };
 
@@ -103,18 +113,16 @@ Reach cull(const FrameInputs& in, std::size_t light) {
             reach.into_light = may_reach(word_box(footprint, in.settings), in, m.observer_to_light);
         }
     };
-    Footprint of_light{}, of_observer{};
-    // A diced patch's vertices are rounded, so its hull's bounds do not hold for its facets.
-    const bool diced = in.settings.surface == raster::PatchForm::diced;
-    if (diced && !in.scene.patches.empty()) reach.into_light = true;
-    for (const raster::Patch& patch : in.scene.patches)
-        if (!diced) count(seen(patch, in, m.world_to_light, of_light),
-              seen(patch, in, in.matrices.world_to_observer, of_observer), of_observer);
-    FacetView light_view(in, m.world_to_light);
-    FacetView observer_view(in, in.matrices.world_to_observer);
-    for (const raster::Facet& facet : in.scene.mesh.facets)
-        count(light_view.seen(facet, of_light), observer_view.seen(facet, of_observer),
-              of_observer);
+    SurfaceView light_view(in, m.world_to_light);
+    SurfaceView observer_view(in, in.matrices.world_to_observer);
+    const auto count_all = [&](const auto& surfaces) {
+        Footprint of_light{}, of_observer{};
+        for (const auto& surface : surfaces)
+            count(light_view.seen(surface, of_light), observer_view.seen(surface, of_observer),
+                  of_observer);
+    };
+    count_all(in.scene.patches);
+    count_all(in.scene.mesh.facets);
     return reach;
 }
 

@@ -1,12 +1,12 @@
 // Culling: which surfaces lie outside a view, and whether a shadow can fall on what is seen, found
 // before anything is drawn.
 //
-// A patch's bounds in a view (the block rule's own), and a facet's corners, hold every sample that
-// it can give. In the
-// observer's view they make a box of input words for the transform unit. A row's rounded result,
-// and a quotient of two rows with a positive divisor, takes its min and max at corners of the box;
-// so eight points show whether anything in the box can come into the light's volume. The answer is
-// never an estimate: what cannot be decided counts as reached.
+// A patch's bounds in a view (the block rule's own; of a diced one DicedView's), and a facet's
+// corners, hold every sample that it can give. In the observer's view they make a box of input
+// words for the transform unit. A row's rounded result, and a quotient of two rows with a positive
+// divisor, takes its min and max at corners of the box; so eight points show whether anything in
+// the box can come into the light's volume. The answer is never an estimate: what cannot be decided
+// counts as reached.
 #pragma once
 
 #include "shadow/frame/inputs.hpp"

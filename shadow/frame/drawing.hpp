@@ -52,7 +52,9 @@ inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan
             dice_tolerance(in),
             in.settings.facing,
             !in.scene.streamed,  // the ledger's counts are then those of this drawing
-            plan.unit_work()};
+            plan.unit_work(),
+            plan.leaves_out(Omission::outside_surfaces) ? raster::Drawn::inside
+                                                        : raster::Drawn::all};
 }
 
 // Draws into what the store holds; the sink decides whether a sample replaces what is there. What
@@ -71,7 +73,7 @@ raster::DrawCounts draw_view(const FrameInputs& in, const FramePlan& plan, const
 // What the plain post-process does under a plan.
 inline PostProcessWork work_of(const FramePlan& plan) {
     return {plan.unit_work(), !plan.leaves_out(Omission::background_pixels),
-            !plan.leaves_out(Omission::noise)};
+            !plan.leaves_out(Omission::noise), !plan.leaves_out(Omission::empty_lines)};
 }
 
 }  // namespace umbra78::shadow

@@ -4,8 +4,10 @@
 #include "shadow/filters/composite.hpp"
 #include "shadow/filters/low_pass.hpp"
 #include "shadow/frame/drawing.hpp"
+#include "shadow/lines.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace umbra78::shadow {
 namespace {
@@ -40,6 +42,10 @@ template <class Depth>
 void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
               FrameBuffers<Depth>& frame, FrameCounts& counts) {
     if (plan.leaves_out(Omission::same_light_map, l)) return;
+    if (plan.leaves_out(Omission::light_drawing, l)) {  // draw_observer copies it
+        counts.lights[l].map = {};
+        return;
+    }
     hw::FrameStore<Depth>& map = frame.lights[l].map;
     counts.lights[l].map = {};
     map.clear(in.settings.machine);
@@ -58,27 +64,95 @@ void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     into(raster::PictureSink<Depth>{shaded});
 }
 
+// The lines of a plane that are in the set, from one plane to the other.
+void copy_lines(std::span<const std::uint8_t> from, const LineSet& lines,
+                std::span<std::uint8_t> to) {
+    const auto n = static_cast<std::size_t>(lines.size());
+    for (int y = 0; y < lines.size(); ++y)
+        if (const std::size_t a = static_cast<std::size_t>(y) * n; lines.has(y))
+            copy(from.subspan(a, n), to.subspan(a, n));
+}
+
+// Fills edges and filtered. Returns the lines that the composite has work on: a filter leaves a
+// line as it is if it and its neighbours are lit, and each pass of the low-pass reaches one line
+// further.
 template <class Depth>
-void filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
-            FrameBuffers<Depth>& frame, FrameCounts& counts) {
+LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+               FrameBuffers<Depth>& frame, FrameCounts& counts) {
     const Settings& settings = in.settings;
+    const int size = settings.machine.size_px();
     const auto none = static_cast<Depth>(settings.machine.background());
     LightBuffers<Depth>& light = frame.lights[l];
+    LightCounts& counted = counts.lights[l];
+    counted.filtered_lines = {};
+    counted.chain_steps = 0;
+    LineSet lines = plan.leaves_out(Omission::lit_lines, l) ? lines_with_shadow(light.mask, size)
+                                                            : LineSet::all(size);
     copy(light.mask, light.edges);
-    counts.lights[l].chain_steps = 0;
-    if (!plan.leaves_out(Omission::dequantize, l))
-        counts.lights[l].chain_steps =
+    if (!plan.leaves_out(Omission::dequantize, l)) {
+        counted.filtered_lines.dequantize = lines.count();
+        counted.chain_steps =
             dequantize<Depth>(light.mask, frame.observer, none, settings.dequantize_passes,
-                              frame.edge_memory, light.edges);
+                              frame.edge_memory, light.edges, lines);
+    }
     copy(light.edges, light.filtered);
-    if (plan.leaves_out(Omission::low_pass, l)) return;
+    if (plan.leaves_out(Omission::low_pass, l)) return lines;
     for (int pass = 0; pass < settings.low_pass_passes; ++pass) {
+        lines = lines.with_neighbours();
+        counted.filtered_lines.low_pass += lines.count();
         // The picture's plane is free until the composite.
-        low_pass<Depth>(light.filtered, frame.observer, none, frame.picture);
-        copy(frame.picture, light.filtered);
+        low_pass<Depth>(light.filtered, frame.observer, none, frame.picture, lines);
+        copy_lines(frame.picture, lines, light.filtered);
     }
     if (settings.low_pass_passes == 0)  // not left out: a pass whose result nobody reads
         low_pass<Depth>(light.filtered, frame.observer, none, scratch(frame));
+    return lines;
+}
+
+// Darkens the lines in the set; the others are those of `picture`.
+template <class Depth>
+void darken(const FrameInputs& in, std::size_t l, std::span<const std::uint8_t> picture,
+            const LineSet& lines, FrameBuffers<Depth>& frame) {
+    const bool whole = in.settings.composite == Composite::whole;
+    const std::span<const std::uint8_t> share = whole ? picture : frame.observer.direct;
+    // A shadow that is in the shading already darkens nothing more.
+    const int density = method_of(in).tests_when_drawn() ? 0 : in.settings.density_q8;
+    const auto n = static_cast<std::size_t>(lines.size());
+    for (int y = 0; y < lines.size(); ++y) {
+        const auto line = [&](auto plane) {
+            return plane.subspan(static_cast<std::size_t>(y) * n, n);
+        };
+        if (lines.has(y)) {
+            composite(line(picture), line(share), line(frame.lights[l].filtered), density,
+                      line(frame.picture));
+        } else if (picture.data() != frame.picture.data()) {
+            copy(line(picture), line(frame.picture));
+        }
+    }
+}
+
+template <class Depth>
+void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
+                  FrameCounts& counts) {
+    if (plan.leaves_out(Omission::same_observer)) return;
+    const Method& method = method_of(in);
+    bool tested = false;  // in this drawing
+    for (std::size_t l = 0; method.tests_when_drawn() && l < in.scene.light_count; ++l) {
+        light_up(frame.lights[l].mask);
+        tested = tested || !plan.leaves_out(Omission::post_process, l);
+    }
+    if (!tested && plan.leaves_out(Omission::same_depth)) {
+        clear_intensities(in.settings.machine, frame.observer);
+    } else {
+        frame.observer.clear(in.settings.machine);
+    }
+    if (tested) {
+        method.stages<Depth>().draw(in, plan, frame, counts);
+        return;
+    }
+    raster::PictureSink<Depth> sink{frame.observer};
+    counts.observer = draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame,
+                                sink);
 }
 
 }  // namespace
@@ -96,26 +170,13 @@ void draw_observer(const FrameInputs& in, const FramePlan& plan, FrameBuffers<De
                    FrameCounts& counts) {
     require_held(in);
     require_fits(in, frame);
-    if (plan.leaves_out(Omission::same_observer)) return;
-    const hw::MachineSpec& machine = in.settings.machine;
-    const Method& method = method_of(in);
-    bool tested = false;  // in this drawing
-    for (std::size_t l = 0; method.tests_when_drawn() && l < in.scene.light_count; ++l) {
-        light_up(frame.lights[l].mask);
-        tested = tested || !plan.leaves_out(Omission::post_process, l);
+    draw_picture(in, plan, frame, counts);
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
+        if (plan.leaves_out(Omission::light_drawing, l) &&
+            !plan.leaves_out(Omission::same_light_map, l))
+            std::copy(frame.observer.depth.begin(), frame.observer.depth.end(),
+                      frame.lights[l].map.depth.begin());
     }
-    if (!tested && plan.leaves_out(Omission::same_depth)) {
-        clear_intensities(machine, frame.observer);
-    } else {
-        frame.observer.clear(machine);
-    }
-    if (tested) {
-        method.stages<Depth>().draw(in, plan, frame, counts);
-        return;
-    }
-    raster::PictureSink<Depth> sink{frame.observer};
-    counts.observer = draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame,
-                                sink);
 }
 
 template <class Depth>
@@ -138,15 +199,15 @@ void filter_and_composite(const FrameInputs& in, const FramePlan& plan, FrameBuf
                           FrameCounts& counts) {
     require_fits(in, frame);
     if (plan.leaves_out(Omission::same_picture)) return;
-    for (std::size_t l = 0; l < in.scene.light_count; ++l) filter(in, plan, l, frame, counts);
-    // A shadow that is in the shading already darkens nothing more.
-    const int density = method_of(in).tests_when_drawn() ? 0 : in.settings.density_q8;
+    // All filters before the first composite: the low-pass works in the picture's plane.
+    std::array<LineSet, max_lights> lines;
+    for (std::size_t l = 0; l < in.scene.light_count; ++l)
+        lines[l] = filter(in, plan, l, frame, counts);
     std::span<const std::uint8_t> picture = frame.observer.intensity;
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
         if (plan.leaves_out(Omission::composite, l)) continue;
-        const bool whole = in.settings.composite == Composite::whole;
-        composite(picture, whole ? picture : frame.observer.direct, frame.lights[l].filtered,
-                  density, frame.picture);
+        counts.lights[l].filtered_lines.composite = lines[l].count();
+        darken(in, l, picture, lines[l], frame);
         picture = frame.picture;
     }
     if (picture.data() != frame.picture.data()) copy(picture, frame.picture);

@@ -16,7 +16,8 @@
 
 namespace umbra78::shadow {
 
-// The stages, each needing those before it. Each traps if the buffers were carved for other widths
+// The stages, each needing those before it; a map that is a copy of the observer's Z is there after
+// draw_observer. Each traps if the buffers were carved for other widths
 // than the settings have, or for fewer patches than the scene has.
 template <class Depth>
 void draw_light(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,

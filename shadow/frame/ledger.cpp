@@ -3,6 +3,7 @@
 #include "raster/drawing_cost.hpp"
 #include "shadow/frame/drawing.hpp"
 #include "shadow/frame/filter_cost.hpp"
+#include "shadow/lines.hpp"
 
 #include <algorithm>
 
@@ -20,21 +21,25 @@ PhaseLedger phase(const hw::Operations& o, const FrameInputs& in) {
     return {o, method_of(in).units(o, in.settings)};
 }
 
-// `drawn`: what the drawing of the frame counted; of a stream, it is all that there is to count.
+// Both parts of the surfaces, so that what lies outside is known by itself. `drawn`: what the
+// drawing of the frame counted; of a stream, it is all that there is to count.
 PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
                     const raster::DrawCounts& drawn, raster::DrawMemory& memory, bool shades,
-                    raster::DrawCounts& counts) {
+                    raster::DrawCounts& counts, raster::DrawCounts& inside) {
     if (in.scene.streamed) {
-        counts = drawn;
+        inside = counts = drawn;
         return phase(drawing_operations(in, matrix, counts, shades), in);
     }
     CountingSink sink;
-    const raster::DrawSetup setup{in.settings.machine,     matrix,
-                                  in.matrices.object,      in.settings.sampling,
-                                  in.scene.materials,      {},
-                                  in.settings.surface,     in.settings.dice_levels,
-                                  dice_tolerance(in),      in.settings.facing};
-    counts = raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
+    raster::DrawSetup setup{in.settings.machine,     matrix,
+                            in.matrices.object,      in.settings.sampling,
+                            in.scene.materials,      {},
+                            in.settings.surface,     in.settings.dice_levels,
+                            dice_tolerance(in),      in.settings.facing};
+    setup.drawn = raster::Drawn::inside;
+    inside = counts = raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
+    setup.drawn = raster::Drawn::outside;
+    counts += raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
     return phase(drawing_operations(in, matrix, counts, shades), in);
 }
 
@@ -133,6 +138,34 @@ hw::Operations drawing_operations(const FrameInputs& in, const hw::MatrixWords& 
                                       in.settings.sampling, shades, max_shininess(in.scene));
 }
 
+namespace {
+
+FilteredLines lines_near_shadow(std::span<const std::uint8_t> mask, const Settings& s) {
+    LineSet lines = lines_with_shadow(mask, s.machine.size_px());
+    FilteredLines n{.dequantize = lines.count()};
+    for (int pass = 0; pass < s.low_pass_passes; ++pass) {
+        lines = lines.with_neighbours();
+        n.low_pass += lines.count();
+    }
+    n.composite = lines.count();
+    return n;
+}
+
+// Of filters that go through so many lines.
+void add_filters(const FrameInputs& in, std::uint64_t chain_steps, const FilteredLines& lines,
+                 PhaseLedger& of_dequantize, PhaseLedger& of_low_pass, PhaseLedger& of_composite) {
+    const Settings& s = in.settings;
+    const auto size = static_cast<std::uint64_t>(s.machine.size_px());
+    if (s.dequantize_passes > 0)
+        of_dequantize = phase(chain_steps * cost::chain_step(s.dequantize_passes) +
+                                  lines.dequantize * size * cost::coverage_pixel,
+                              in);
+    of_low_pass = phase(lines.low_pass * size * cost::low_pass_pixel, in);
+    of_composite = phase(lines.composite * size * cost::composite_pixel, in);
+}
+
+}  // namespace
+
 template <class Depth>
 FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame,
                          const FrameCounts& counts) {
@@ -142,21 +175,23 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
     const Method& method = method_of(in);
     FrameLedger l;
     l.light = drawing(in, in.matrices.lights[0].world_to_light, counts.lights[0].map, *frame.draw,
-                      false, l.light_counts);
+                      false, l.light_counts, l.light_inside);
     l.observer = drawing(in, in.matrices.world_to_observer, counts.observer, *frame.draw, true,
-                         l.observer_counts);
+                         l.observer_counts, l.observer_inside);
     const auto none = static_cast<Depth>(s.machine.background());
     l.visible = pixels - static_cast<std::uint64_t>(std::count(
                              frame.observer.depth.begin(), frame.observer.depth.end(), none));
     if (method.scene_cost != nullptr) method.scene_cost(in, 0, l);
     method.stages<Depth>().frame_cost(in, 0, frame, counts, l);
-    if (s.dequantize_passes > 0)
-        l.dequantize = phase(counts.lights[0].chain_steps * cost::chain_step(s.dequantize_passes) +
-                                 pixels * cost::coverage_pixel,
-                             in);
+    const std::uint64_t steps = counts.lights[0].chain_steps;
+    const auto size = static_cast<std::uint64_t>(s.machine.size_px());
     const auto passes = static_cast<std::uint64_t>(s.low_pass_passes);
-    l.low_pass = phase(passes * pixels * cost::low_pass_pixel, in);
-    l.composite = phase(pixels * cost::composite_pixel, in);
+    add_filters(in, steps, {size, passes * size, size}, l.dequantize, l.low_pass, l.composite);
+    l.lines.visible = lines_with_visible<Depth>(frame.observer.depth, s.machine.size_px(), none)
+                          .count();
+    l.lines.filtered = lines_near_shadow(frame.lights[0].mask, s);
+    add_filters(in, steps, l.lines.filtered, l.dequantize_near, l.low_pass_near,
+                l.composite_near);
     return l;
 }
 

@@ -64,16 +64,25 @@ struct PhaseLedger {
     hw::UnitCycles units;
 };
 
+// The lines of a frame that the plan's finer omissions leave: known when it is done.
+struct FrameLines {
+    std::uint64_t visible = 0;  // with something visible
+    FilteredLines filtered;     // with a shadow near enough, whether they were filtered or not
+};
+
 struct FrameLedger {
     PhaseLedger light, observer, dequantize, low_pass, composite;
+    PhaseLedger dequantize_near, low_pass_near, composite_near;  // on lines.filtered alone
     // The transformation: one of these three, whichever the method fills.
     PostProcessLedger post_process;
     bool on_array = false;
     ArrayCost array;       // if on_array
     PhaseLedger test;      // of a method that is costed in operations
     PhaseLedger scene;     // once for a scene and apart from the frame; in no total
-    raster::DrawCounts light_counts, observer_counts;  // with no block left out as hidden
+    // With no block left out as hidden: of all surfaces, and of those that may lie in the view.
+    raster::DrawCounts light_counts, observer_counts, light_inside, observer_inside;
     std::uint64_t visible = 0;
+    FrameLines lines;
 
     // The phase's cycles: its units side by side, or one after the other.
     static std::uint64_t cycles(const PhaseLedger& p, bool overlap) {

@@ -30,9 +30,9 @@ void plan_unit(const FrameInputs& now, FramePlan& plan) {
 
 void plan_pixels(const FrameInputs& now, FramePlan& plan) {
     const Settings& s = now.settings;
-    plan.at(Omission::background_pixels) = method_of(now).tests_when_drawn()
-                                               ? needed(tested_when_drawn)
-                                               : left_out(nothing_there);
+    for (const Omission o : {Omission::background_pixels, Omission::empty_lines})
+        plan.at(o) = method_of(now).tests_when_drawn() ? needed(tested_when_drawn)
+                                                       : left_out(nothing_there);
     plan.at(Omission::noise) = s.dither.shape == hw::DitherShape::none ? left_out(dither_off)
                                : hw::silent(s.dither, s.machine) ? left_out(dither_rounds_to_zero)
                                                                  : needed(asked_for);
@@ -41,7 +41,9 @@ void plan_pixels(const FrameInputs& now, FramePlan& plan) {
 void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     plan.at(Omission::light_shading, l) = left_out(depth_alone);
     if (now.scene.streamed) {
-        plan.at(Omission::light_map, l) = plan.at(Omission::post_process, l) = needed(not_held);
+        for (const Omission o :
+             {Omission::light_map, Omission::light_drawing, Omission::post_process})
+            plan.at(o, l) = needed(not_held);
         return;
     }
     const Reach reach = cull(now, l);
@@ -50,6 +52,12 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     const std::uint64_t all = now.scene.surfaces().count();
     const bool no_map = reach.outside_light == all;
     plan.at(Omission::light_map, l) = no_map ? left_out(no_caster) : needed(may_shadow);
+    // Equal words draw equal Z, whatever the views that they come from.
+    const bool same = now.matrices.lights[l].world_to_light == now.matrices.world_to_observer;
+    plan.at(Omission::light_drawing, l) = !same ? needed(other_view)
+                                          : method_of(now).tests_when_drawn()
+                                              ? needed(tested_when_drawn)
+                                              : left_out(same_view);
     plan.at(Omission::post_process, l) = reach.outside_observer == all ? left_out(nothing_visible)
                                          : no_map                      ? left_out(no_caster)
                                          : !reach.into_light           ? left_out(outside_light)
@@ -67,6 +75,8 @@ void plan_filters(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     plan.at(Omission::dequantize, l) = filter(s.dequantize_passes);
     if (method.darkness == Darkness::graded) plan.at(Omission::dequantize, l) = left_out(graded);
     plan.at(Omission::low_pass, l) = filter(s.low_pass_passes);
+    plan.at(Omission::lit_lines, l) = method.tests_when_drawn() ? needed(tested_when_drawn)
+                                                                : left_out(no_shadow_near);
     plan.at(Omission::composite, l) = method.tests_when_drawn() ? left_out(shadow_in_shading)
                                       : s.density_q8 == 0       ? left_out(invisible_shadow)
                                       : lit                     ? left_out(nothing_shadowed)
@@ -104,6 +114,12 @@ FramePlan make_plan(const FrameInputs& now, const FrameInputs* before) {
         plan_test(now, l, plan);
         plan_filters(now, l, plan);
     }
+    bool any_outside = plan.outside.observer > 0;
+    for (std::size_t l = 0; l < now.scene.light_count; ++l)
+        any_outside = any_outside || plan.outside.light[l] > 0;
+    plan.at(Omission::outside_surfaces) = now.scene.streamed ? needed(not_held)
+                                          : any_outside     ? left_out(outside_view)
+                                                            : needed(none_outside);
     plan_reuse(now, before, plan);
     return plan;
 }

@@ -30,6 +30,11 @@ enum class Omission : std::uint8_t {
     dequantize,
     low_pass,
     composite,
+    // Parts of what is done all the same:
+    light_drawing,      // of a light's map that is a copy of the observer's Z
+    outside_surfaces,   // patches and facets outside a view, in its drawing
+    empty_lines,        // scan lines with nothing visible, in the post-process
+    lit_lines,          // scan lines with no shadow near, in filters and composite
     // Where the frame before left the same in the buffers:
     same_light_map,
     same_depth,        // the observer's Z; the intensities are drawn anew
@@ -37,7 +42,7 @@ enum class Omission : std::uint8_t {
     same_mask,
     same_picture,      // and the filtered masks
 };
-inline constexpr std::size_t omission_count = 16;
+inline constexpr std::size_t omission_count = 20;
 
 // Why something is left out, or why it is not.
 enum class Reason : std::uint8_t {
@@ -56,6 +61,9 @@ enum class Reason : std::uint8_t {
     graded,               // dequantizing follows edges, and this method's darkness has none
     invisible_shadow,     // density 0
     shadow_in_shading,    // the correct form's picture is finished when it is drawn
+    same_view,            // the light's matrix has the words of the observer's
+    outside_view,         // none of their samples can lie in the view
+    no_shadow_near,       // filters and composite leave a lit line as it is
     unchanged,            // nothing that it is made from has changed
     // needed
     perspective,          // W is not constant
@@ -64,6 +72,8 @@ enum class Reason : std::uint8_t {
     asked_for,            // a setting asks for it
     changed,              // something that it is made from has changed
     no_frame_before,
+    other_view,           // the light's matrix has other words than the observer's
+    none_outside,         // every surface may have samples in both views
     not_held,             // the surfaces come batch by batch, and are not known beforehand
     none,                 // FramePlan{}: nothing is left out
 };

@@ -8,10 +8,6 @@
 namespace umbra78::shadow {
 namespace {
 
-bool same(const hw::MatrixWords& a, const hw::MatrixWords& b) {
-    return a.word == b.word && a.exponent == b.exponent && a.affine == b.affine;
-}
-
 bool same(const raster::Material& a, const raster::Material& b) {
     return a.diffuse == b.diffuse && a.specular == b.specular && a.shininess == b.shininess;
 }
@@ -90,7 +86,7 @@ bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
     const Settings &s = a.settings, &t = b.settings;
     const LightMatrices &m = a.matrices.lights[l], &n = b.matrices.lights[l];
     const bool bilinear = s.lookup == Lookup::bilinear;
-    return same(m.observer_to_light, n.observer_to_light) && m.array == n.array &&
+    return m.observer_to_light == n.observer_to_light && m.array == n.array &&
            s.machine.fraction_bits == t.machine.fraction_bits &&
            hw::product_cut(s.machine) == hw::product_cut(t.machine) &&
            (m.observer_to_light.affine || s.machine.divide_order == t.machine.divide_order) &&
@@ -113,13 +109,13 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     const bool drawing = same_drawing(before, now);
     const bool method = &method_of(before) == &method_of(now);
     const bool when_drawn = method_of(now).tests_when_drawn();
-    r.depth = drawing && same(before.matrices.world_to_observer, now.matrices.world_to_observer);
+    r.depth = drawing && before.matrices.world_to_observer == now.matrices.world_to_observer;
     r.observer = r.depth && same_shading(before, now) &&
                  when_drawn == method_of(before).tests_when_drawn();
     bool masks = true;
     for (std::size_t l = 0; l < now.scene.light_count; ++l) {
-        r.light_map[l] = drawing && same(before.matrices.lights[l].world_to_light,
-                                         now.matrices.lights[l].world_to_light);
+        r.light_map[l] = drawing && before.matrices.lights[l].world_to_light ==
+                                      now.matrices.lights[l].world_to_light;
         r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
         masks = masks && r.mask[l];
     }

@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,10 +75,17 @@ TEST(PostProcess, IsTheSlowModel) {
     EXPECT_GT(shadowed, 2000u) << "too little in shadow for a test";
 }
 
+std::uint64_t empty_lines(std::span<const hw::Depth32> depth, std::uint32_t background) {
+    std::uint64_t n = 0;
+    for (std::size_t a = 0; a < depth.size(); a += 16)
+        n += std::count(depth.begin() + a, depth.begin() + a + 16, background) == 16;
+    return n;
+}
+
 // Work that can change nothing changes nothing: constant products and the W row anew for each
-// point, the division by a constant, noise that is silent, and pixels where nothing was drawn. The
-// background's code lies in the light's volume here, in front of which others are drawn, so a
-// background pixel would be in shadow.
+// point, the division by a constant, noise that is silent, and pixels and lines where nothing was
+// drawn. The background's code lies in the light's volume here, in front of which others are drawn,
+// so a background pixel would be in shadow.
 TEST(PostProcess, WorkForNothingChangesNothing) {
     Random random;
     std::uint64_t background_in_shadow = 0;
@@ -86,20 +95,26 @@ TEST(PostProcess, WorkForNothingChangesNothing) {
         OwnedStore<hw::Depth32> observer(4), light(4);
         test::fill_depth(random, s.machine, observer.depth);
         test::fill_depth(random, s.machine, light.depth);
+        for (const int y : {0, 6, 7, 15})  // lines with nothing visible
+            std::fill_n(observer.depth.begin() + 16 * y, 16, s.machine.background());
+        const std::uint64_t lines = 16 - empty_lines(observer.depth, s.machine.background());
         const hw::MatrixWords matrix = test::random_matrix(random, s.machine, true);
         std::vector<std::uint8_t> plain(256, 1), more(256, 2);
         const PostProcessCounts a = post_process(maps_of(observer, light), matrix, s, plain);
-        for (int bits = 0; bits < 16; ++bits) {
+        for (int bits = 0; bits < 32; ++bits) {
             PostProcessWork work;
             work.unit.constant_product = (bits & 1) != 0;
             work.unit.w_row = (bits & 2) != 0;
             work.background = (bits & 4) != 0;
             work.noise = (bits & 8) != 0 || needed_work(s).noise;
+            work.empty_lines = (bits & 16) != 0;
             const PostProcessCounts b =
                 post_process(maps_of(observer, light), matrix, s, work, more);
             expect_same(plain, more, 16, describe(s));
             EXPECT_EQ(b.shadowed, a.shadowed);
-            EXPECT_EQ(b.visible, work.background ? 256 : a.visible);
+            EXPECT_EQ(b.visible, !work.background    ? a.visible
+                                 : work.empty_lines ? 256
+                                                    : 16 * lines);
         }
         const LightMap<hw::Depth32> map{light.store, s.machine, s.lookup, s.background};
         const test::SlowNoise noise(s.dither, s.machine);

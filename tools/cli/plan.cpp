@@ -62,7 +62,9 @@ ordered_json to_json(const Options& options, const Planned& planned) {
                       {"triangles", planned.scene.facets.size()},
                       {"surfaces_outside_light", outside.light[0]},
                       {"surfaces_outside_observer", outside.observer},
-                      {"visible_pixels", planned.ledger.visible}};
+                      {"visible_pixels", planned.ledger.visible},
+                      {"visible_lines", planned.ledger.lines.visible},
+                      {"shadow_lines", planned.ledger.lines.filtered.dequantize}};
     const shadow::FrameCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k)
         json["stages"].push_back({{"stage", key_of(static_cast<FrameStage>(k))},
@@ -109,10 +111,14 @@ void print_rows(const Options& options, const Planned& planned) {
     const int size = planned.scene.settings.machine.size_px();
     const shadow::OutsideSurfaces& outside = planned.plan().outside;
     fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} outside the light's view, "
-               "{} outside the observer's\n\n",
+               "{} outside the observer's\n",
                options.scene, size, size, grouped(planned.ledger.visible),
                planned.scene.surfaces().count(), kinds_of_surfaces(planned.scene),
                outside.light[0], outside.observer);
+    const shadow::FrameLines& lines = planned.ledger.lines;
+    fmt::print("scan lines: {} with something visible, {} with a shadow, {} within the low-pass's "
+               "reach of one\n\n",
+               lines.visible, lines.filtered.dequantize, lines.filtered.composite);
     print_stages(planned);
     fmt::print("\n{:<30}{:>12}   {}\n", "left out", "cycles", "because");
     bool starred = false;
@@ -132,7 +138,9 @@ void print_rows(const Options& options, const Planned& planned) {
                "this takes {:.1f} ms instead of {:.1f} ms.\n",
                grouped(left), grouped(everything), ns, simulated_ms(left, ns),
                simulated_ms(everything, ns));
-    if (starred) fmt::print("*: this count is known only after drawing.\n");
+    if (starred)
+        fmt::print("*: this count is known only after drawing; which scan lines have a shadow "
+                   "near, only after the test.\n");
 }
 
 void run(const Options& options) {

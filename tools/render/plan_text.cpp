@@ -26,6 +26,10 @@ constexpr std::array<Names, shadow::omission_count> omissions{{
     {"dequantize", "edge dequantizing"},
     {"low_pass", "the low-pass"},
     {"composite", "the composite"},
+    {"light_drawing", "drawing the light's view"},
+    {"outside_surfaces", "surfaces outside a view"},
+    {"empty_lines", "empty scan lines"},
+    {"lit_lines", "filtering lit scan lines"},
     {"same_light_map", "the light map, kept"},
     {"same_depth", "the observer's Z, kept"},
     {"same_observer", "the observer's view, kept"},
@@ -65,6 +69,9 @@ std::string_view explain(Reason reason) {
         case Reason::graded: return "it follows edges, and the method's darkness is graded";
         case Reason::invisible_shadow: return "density is 0";
         case Reason::shadow_in_shading: return "the correct form's shadow is in the shading";
+        case Reason::same_view: return "the light sees what the observer sees: its map is a copy";
+        case Reason::outside_view: return "nothing of them can lie in the view";
+        case Reason::no_shadow_near: return "no shadow is near, so a filter would change nothing";
         case Reason::unchanged: return "nothing that it is made from has changed";
         case Reason::perspective: return "both views are in perspective: W varies";
         case Reason::may_shadow: return "a shadow may fall on something visible";
@@ -72,6 +79,8 @@ std::string_view explain(Reason reason) {
         case Reason::asked_for: return "a setting asks for it";
         case Reason::changed: return "something that it is made from has changed";
         case Reason::no_frame_before: return "there is no frame before it";
+        case Reason::other_view: return "light and observer see different things";
+        case Reason::none_outside: return "every surface may lie in both views";
         case Reason::not_held: return "the surfaces are a stream, not known beforehand";
         case Reason::none: return "the plan leaves out nothing";
     }

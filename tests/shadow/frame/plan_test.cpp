@@ -94,6 +94,7 @@ TEST(FramePlan, AWrongOmissionIsSeen) {
     const FramePlan plan = make_plan(expected.inputs);
     for (const Omission wrong : {Omission::noise, Omission::light_map, Omission::post_process,
                                  Omission::dequantize, Omission::low_pass, Omission::composite,
+                                 Omission::light_drawing,
                                  Omission::same_light_map, Omission::same_depth,
                                  Omission::same_observer, Omission::same_mask,
                                  Omission::same_picture}) {
@@ -136,7 +137,18 @@ TEST(FramePlan, SaysWhy) {
     EXPECT_EQ(reason(scene("outside a point light"), post_process), Reason::outside_light);
     EXPECT_EQ(reason(scene("no density"), composite), Reason::invisible_shadow);
     EXPECT_EQ(reason(scene("correct"), composite), Reason::shadow_in_shading);
-    EXPECT_EQ(reason(scene("correct"), background_pixels), Reason::tested_when_drawn);
+    for (const Omission o : {background_pixels, empty_lines, lit_lines})
+        EXPECT_EQ(reason(scene("correct"), o), Reason::tested_when_drawn);
+    EXPECT_EQ(reason(scene("figure 6"), empty_lines), Reason::nothing_there);
+    EXPECT_EQ(reason(scene("figure 6"), lit_lines), Reason::no_shadow_near);
+    EXPECT_EQ(reason(scene("figure 6"), light_drawing), Reason::other_view);
+    EXPECT_EQ(reason(scene("same view"), light_drawing), Reason::same_view);
+    EXPECT_EQ(reason(scene("same eye"), light_drawing), Reason::same_view);
+    EXPECT_EQ(reason(scene("same view, AP-120B"), light_drawing), Reason::same_view);
+    EXPECT_EQ(reason(scene("same view, correct"), light_drawing), Reason::tested_when_drawn);
+    EXPECT_EQ(reason(scene("figure 6"), outside_surfaces), Reason::none_outside);
+    EXPECT_EQ(reason(scene("near, diced"), outside_surfaces), Reason::outside_view);
+    EXPECT_EQ(reason(scene("diced, no caster"), light_map), Reason::no_caster);
 }
 
 // The faintest shadow, and each setting of a filter next to the one that leaves it out.
@@ -154,6 +166,33 @@ TEST(FramePlan, TheLeastThatIsAskedForIsNeeded) {
     EXPECT_FALSE(std::equal(got.frame.buffers.picture.begin(), got.frame.buffers.picture.end(),
                             got.frame.buffers.observer.intensity.begin()))
         << "density 1/256 darkens something";
+}
+
+// What is left out of a part of the work is counted when the frame is done.
+TEST(FramePlan, CountsWhatItDid) {
+    const auto draw = [](const char* name, bool everything) {
+        const PlannedScene planned = test::planned_scene(name);
+        PlannedFrame f(planned);
+        const FramePlan plan = make_plan(f.inputs);
+        f.draw(everything ? FramePlan{} : plan);
+        return f.frame.counts;
+    };
+    const FrameCounts near = draw("near, subdivided", false), all = draw("near, subdivided", true);
+    const PlannedScene planned = test::planned_scene("near, subdivided");
+    const OutsideSurfaces outside = make_plan(PlannedFrame(planned).inputs).outside;
+    const auto sent = [](const raster::DrawCounts& c) { return c.patches + c.facets; };
+    EXPECT_EQ(sent(all.observer), 256u);
+    EXPECT_EQ(sent(near.observer), 256 - outside.observer);
+    EXPECT_EQ(sent(near.lights[0].map), 256 - outside.light[0]);
+    EXPECT_EQ(near.observer.samples, all.observer.samples);
+    EXPECT_EQ(all.lights[0].filtered_lines, (FilteredLines{128, 256, 128}));
+    EXPECT_EQ(draw("no shadow after all", false).lights[0].filtered_lines, FilteredLines{});
+    EXPECT_EQ(draw("no shadow after all", false).lights[0].post_process.shadowed, 0u);
+    const FilteredLines few = draw("shadow in few lines", false).lights[0].filtered_lines;
+    EXPECT_GT(few.dequantize, 5u);
+    EXPECT_EQ(few.composite, few.dequantize + 2 * 3) << "a run of lines, three passes";
+    EXPECT_LT(few.composite, 100u);
+    EXPECT_EQ(draw("same view", false).lights[0].map.patches, 0u);
 }
 
 TEST(FramePlan, CountsThePatchesOutside) {
@@ -178,6 +217,7 @@ TEST(FramePlan, WhatIsOutOfReachIsLit) {
         planned.settings.machine.xy_bits = 5;
         planned.settings.form = k % 3 == 0 ? Form::correct : Form::post_process;
         planned.settings.registration = k % 5 == 0 ? Registration::index : Registration::centre;
+        if (k % 7 < 3) planned.settings.surface = raster::PatchForm::diced;
         const auto place = [&] { return static_cast<std::int32_t>(random.between(-3, 3) << 16); };
         planned.light.target = {place(), place(), place()};
         if (k % 2) planned.light.extent = static_cast<std::int32_t>(random.between(1, 3) << 15);

@@ -19,8 +19,12 @@ struct PlannedScene {
     std::vector<raster::Material> materials{figure_material};
     raster::View observer{}, light{};
     Settings settings{};
+    std::vector<raster::World> vertices{};  // of a mesh of flat facets
+    std::vector<raster::Facet> facets{};
 
-    Scene scene() const { return {patches, materials, observer, {{light}}}; }
+    Scene scene() const {
+        return {patches, materials, observer, {{light}}, 1, {vertices, {}, facets}};
+    }
 };
 
 inline PlannedScene planned_figure(std::string name, int figure) {
@@ -39,6 +43,18 @@ inline void put_eye(PlannedScene& p, raster::View& view, std::int32_t distance) 
     view.distance = distance << 16;
     raster::fit_depth(view, raster::depth_range(view, p.patches));
     p.settings.machine.coefficient_bits = 24;
+}
+
+// A tent of two triangles over every second patch: over its corners and a point above its middle.
+inline void add_mesh(PlannedScene& p) {
+    for (std::size_t k = 0; k < p.patches.size(); k += 2) {
+        const auto& c = p.patches[k].control;
+        const auto at = static_cast<std::uint32_t>(p.vertices.size());
+        const raster::World top{c[5].x + c[5].x / 4, c[5].y + c[5].y / 4, c[5].z + c[5].z / 4};
+        p.vertices.insert(p.vertices.end(), {c[0], c[3], c[15], top});
+        p.facets.push_back({{at, at + 1, at + 3}});
+        p.facets.push_back({{at + 1, at + 2, at + 3}});
+    }
 }
 
 inline std::vector<PlannedScene> planned_scenes() {
@@ -107,6 +123,61 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.settings.machine.transform_rounding = fixed::Rounding::half_even;
         p.settings.machine.fraction_bits = 0;
         p.settings.machine.max_accumulator_bits = 24;
+    }
+    // Light and observer see the same.
+    for (const bool eye : {false, true}) {
+        PlannedScene& p = add(eye ? "same eye" : "same view", 6);
+        if (eye) put_eye(p, p.observer, 6);
+        p.light = p.observer;
+        p.settings.bias_q16 = 0;
+    }
+    {
+        PlannedScene& p = add("same view, correct", 6);
+        p.light = p.observer;
+        p.settings.form = Form::correct;
+    }
+    {
+        PlannedScene& p = add("same view, AP-120B", 6);
+        p.light = p.observer;
+        p.settings.arithmetic = Arithmetic::ap120b;
+    }
+    // Windows that hold a part of the scene, from both kinds of eye, and what patches become.
+    for (const auto& [name, form] : {std::pair{"near, diced", raster::PatchForm::diced},
+                                     std::pair{"near, subdivided", raster::PatchForm::catmull}}) {
+        PlannedScene& p = add(name, 6);
+        p.settings.surface = form;
+        put_eye(p, p.observer, 6);
+        p.observer.extent /= 4;
+        p.observer.target.x += 1 << 16;
+        p.light.extent /= 2;
+        p.light.target.x += 1 << 16;
+        add_mesh(p);
+    }
+    {
+        PlannedScene& p = add("diced, no caster", 4);
+        p.settings.surface = raster::PatchForm::diced;
+        p.light.target = {20 << 16, 0, 0};
+    }
+    {
+        PlannedScene& p = add("diced, front facets, correct", 6);
+        p.settings.surface = raster::PatchForm::diced;
+        p.settings.facing = raster::Facing::front;
+        p.settings.form = Form::correct;
+        p.observer.extent /= 3;
+        p.observer.target.y += 1 << 16;
+    }
+    {
+        // What a sphere hides of itself from this light is hardly seen, and the bias is large.
+        PlannedScene& p = add("no shadow after all", 6);
+        p.patches.resize(32);
+        p.light.axes = raster::axes_from_angles(1 << 16, 0);
+        p.settings.bias_q16 = 4000 << 16;
+    }
+    {
+        PlannedScene& p = add("shadow in few lines", 4);  // of one sphere on the other
+        p.settings.low_pass_passes = 3;
+        p.settings.dequantize_passes = 6;
+        p.patches.resize(64);
     }
     return all;
 }

@@ -45,6 +45,15 @@ TEST_F(Program, PlanSaysWhatIsLeftOutAndWhy) {
     EXPECT_EQ(omission(report, "low_pass")["why"], "it is set to 0 passes");
     EXPECT_FALSE(omission(report, "dequantize")["left_out"]);
     EXPECT_EQ(omission(report, "background_pixels")["after_drawing"], true);
+    EXPECT_GT(report["shadow_lines"], 100);
+    EXPECT_LE(report["shadow_lines"], report["visible_lines"]);
+    EXPECT_LT(report["visible_lines"], 512);
+    EXPECT_EQ(omission(report, "empty_lines")["saved_cycles"],
+              (512 - report["visible_lines"].get<int>()) * (512 - 1))
+        << "the read, less a cycle for each line";
+    EXPECT_GT(omission(report, "lit_lines")["saved_cycles"], 0);
+    EXPECT_EQ(omission(report, "lit_lines")["after_drawing"], true);
+    EXPECT_EQ(omission(report, "outside_surfaces")["left_out"], false);
     EXPECT_GT(omission(report, "light_shading")["saved_cycles"], 20'000'000)
         << "shading is most of a view";
     EXPECT_TRUE(files().empty()) << "a plan leaves no file";
@@ -58,6 +67,23 @@ TEST_F(Program, PlanPrintsATable) {
           "\nthe composite ", "  density is 0\n", "both views are in perspective: W varies",
           "unit cycles instead of "})
         EXPECT_NE(ran.out.find(line), std::string::npos) << line << "\n" << ran.out;
+}
+
+// A light at the observer's place draws nothing of its own, and half a scene is not sent.
+TEST_F(Program, PlanOfALightThatSeesTheSame) {
+    const json same =
+        parse_json(run("plan " + scenes + "figures.toml --set light.azimuth=0 --json").out);
+    EXPECT_EQ(omission(same, "light_drawing")["why"],
+              "the light sees what the observer sees: its map is a copy");
+    EXPECT_GT(omission(same, "light_drawing")["saved_cycles"], 10'000'000);
+    EXPECT_EQ(same["stages"][0]["cycles"], 2 * 512 * 512);
+    const json half = parse_json(
+        run("plan " + scenes + "figures.toml --set observer.target=[1.5,0,0] --json").out);
+    EXPECT_GT(half["surfaces_outside_observer"], 30);
+    EXPECT_EQ(omission(half, "outside_surfaces")["left_out"], true);
+    EXPECT_EQ(omission(half, "outside_surfaces")["after_drawing"], false);
+    EXPECT_GT(omission(half, "outside_surfaces")["saved_cycles"],
+              half["surfaces_outside_observer"].get<int>() * 100);
 }
 
 // A light that looks past the scene: no light map, no post-process, no filters.

@@ -55,7 +55,9 @@ RenderJob& SharedDraw::draw(const std::string& text, const LoadedScene& scene, i
     }
     const auto stage = [&](auto run) { return timed(runs, [&] { ((*job_).*run)(); }); };
     if (!kept.light_map[0]) light = stage(&RenderJob::draw_light);
-    if (!kept.observer) observer = stage(&RenderJob::draw_observer);
+    const bool copies = job_->plan().leaves_out(shadow::Omission::light_drawing);
+    if (!kept.observer || (copies && !kept.light_map[0]))
+        observer = stage(&RenderJob::draw_observer);
     post_process = stage(&RenderJob::cast_shadows);
     filters = stage(&RenderJob::filter_and_composite);
     key_ = key;
