@@ -92,6 +92,11 @@ private:
         line_ = token.line;
     }
 
+    // Elsewhere a quote is an error, up to which toml++ and this reader need not agree.
+    bool may_quote() const {
+        return at_ == 0 || std::string_view(" \t\n=,[{.\xBF").find(text_[at_ - 1]) != text_.npos;
+    }
+
     bool three(std::size_t at) const {
         return text_.substr(at, 3) == std::string(3, text_[at]);
     }
@@ -110,13 +115,24 @@ private:
                     outline_.stray_byte = line_;
                     return;
                 }
-                if (c == '#' || c == '"' || c == '\'') open_quote(c);
+                if (c == '#' || ((c == '"' || c == '\'') && may_quote())) open_quote(c);
             } else if (c == '\\' && quote_ == '"') {
+                if (find_after_backslash()) return;
                 if (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;
             } else if (c == quote_ && c != '#' && (!many_ || three(at_))) {
                 close_quote();
             }
         }
+    }
+
+    // What follows a backslash, blanks and ends of lines left out.
+    bool find_after_backslash() {
+        const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
+        if (next == text_.npos || static_cast<unsigned char>(text_[next]) < 0x80) return false;
+        outline_.stray_byte =
+            line_ + static_cast<int>(std::count(text_.begin() + at_, text_.begin() + next, '\n'));
+        outline_.after_backslash = true;
+        return true;
     }
 
     void open_quote(char c) {

@@ -56,9 +56,11 @@ struct NumberArray {
 struct TomlOutline {
     std::string emptied{};              // the outline, if an array was emptied
     std::vector<NumberArray> arrays{};  // in the order of the text
-    // The line of the first byte that is not ASCII and stands neither in a text nor in a comment; 0
-    // if there is none. TOML has no such byte, and toml++'s behaviour is undefined for some.
+    // The line of the first byte that is not ASCII and stands neither in a text nor in a comment,
+    // or in a text after a backslash and blanks; 0 if there is none. TOML has the first nowhere,
+    // and toml++'s behaviour is undefined for some of both.
     int stray_byte = 0;
+    bool after_backslash = false;
 };
 
 // Arrays are emptied only if `empty_arrays`.

@@ -159,9 +159,12 @@ TomlNode parse_toml(std::string_view text, const std::string& name, FirstError& 
                     ArraysOfNumbers arrays) {
     const TomlOutline outline = outline_of(text, arrays == ArraysOfNumbers::stay_text);
     if (outline.stray_byte > 0) {
-        error.report(fmt::format("{}:{}: this is not valid TOML: a character that is not ASCII "
-                                 "stands outside a text in quotes and a comment; remove it",
-                                 name, outline.stray_byte));
+        error.report(fmt::format(
+            "{}:{}: {}", name, outline.stray_byte,
+            outline.after_backslash
+                ? "a character that is not ASCII follows a backslash; write the text in one line"
+                : "this is not valid TOML: a character that is not ASCII stands outside a text in "
+                  "quotes and a comment; remove it"));
         return {.where = name};
     }
     const std::string_view parsed_text = outline.arrays.empty() ? text : outline.emptied;
