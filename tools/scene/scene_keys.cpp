@@ -208,7 +208,7 @@ constexpr SceneTable tables[] = {
     {"cone", true, "A cone along the y axis, drawn as 8 patches and 8 for a cap.", cone_keys},
     {"box", true, "A box along the axes, drawn as six patches.", box_keys},
     {"triangle", true, "A triangle, seen from both sides.", triangle_keys},
-    {"model", true, "Surfaces from a file: .bpt, .bez, .tea or .obj.", model_keys},
+    {"model", true, "Surfaces from a file: .bpt, .bez, .tea, .obj, .stl or .ply.", model_keys},
 };
 constexpr auto names = [] {
     std::array<std::string_view, std::size(tables) + 1> made{};
