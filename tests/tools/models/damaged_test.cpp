@@ -31,7 +31,8 @@ std::vector<std::pair<std::string, std::string>> whole_files() {
         ply_bytes += bytes_of(v, true);
     ply_bytes += std::string("\4\0\1\2\3", 5);
     return {{"a.stl", stl}, {"b.stl", binary_stl({0, 0, 0, 1, 0, 0, 0, 1, 0})},
-            {"a.ply", ply_text}, {"b.ply", ply_bytes}, {"a.bpt", "1\n3 3\n" + patch_points(1)}, {"a.bez", "BBP\n" + patch_points(2)},
+            {"a.ply", ply_text}, {"b.ply", ply_bytes},
+            {"a.bpt", "1\n3 3\n" + patch_points(1)}, {"a.bez", "BBP\n" + patch_points(2)},
             {"a.tea", tea}, {"a.obj", obj}, {"b.obj", spline}};
 }
 
