@@ -2,6 +2,7 @@
 #include "tests/tools/models/binary_texts.hpp"
 #include "tests/tools/models/model_texts.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace umbra78::tools::test {

@@ -3,6 +3,7 @@
 #include "tests/tools/models/model_texts.hpp"
 #include "tools/models/place_model.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace umbra78::tools::test {
