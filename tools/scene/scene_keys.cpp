@@ -216,7 +216,7 @@ constexpr SceneTable tables[] = {
     {"cone", true, "A cone along the y axis, drawn as 8 patches and 8 for a cap.", cone_keys},
     {"box", true, "A box along the axes, drawn as six patches.", box_keys},
     {"triangle", true, "A triangle, seen from both sides.", triangle_keys},
-    {"model", true, "Surfaces from a file: .bpt, .bez, .tea or .obj.", model_keys},
+    {"model", true, "Surfaces from a file: .bpt, .bez, .tea, .obj, .stl or .ply.", model_keys},
     {"stream", false,
      "Any number of patches and triangles, read as they are drawn and never held (umbra78 pack).",
      stream_keys},
