@@ -76,9 +76,10 @@ void add_pack_command(CLI::App& app, int&) {
                    "How many landscapes of hills lie below each other; they share the patches");
     command.set(options->set);
     command.json(options->json);
-    command.footer("Examples:\n"
-                   "  umbra78 pack tools/scenes/robot.toml --out robot.u78p\n"
-                   "  umbra78 pack --hills 1000000 --out - | umbra78 render tools/scenes/hills.toml");
+    command.footer(
+        "Examples:\n"
+        "  umbra78 pack tools/scenes/robot.toml --out robot.u78p\n"
+        "  umbra78 pack --hills 1000000 --out - | umbra78 render tools/scenes/hills.toml");
     command.runs([options] { pack(*options); });
 }
 

@@ -162,7 +162,8 @@ void print_rows(const Options& options, const Rendered& rendered) {
     if (rendered.error) {
         fmt::print("{}", print(*rendered.error));
     } else {
-        fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth" : no_truth_because(rendered.scene));
+        fmt::print("error       n/a ({})\n",
+                   options.no_truth ? "--no-truth" : no_truth_because(rendered.scene));
     }
     if (!options.error_map.empty())
         fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);
