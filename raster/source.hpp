@@ -1,5 +1,6 @@
 // Primitives that are read as they are drawn and never held: a scene of any size in the memory of
-// one batch (hw/MACHINE.md, section 2, says that their order changes nothing).
+// one batch. Whatever their order, the store holds the least of all records (hw/MACHINE.md,
+// section 8).
 #pragma once
 
 #include "raster/scene.hpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The readers of models and scenes hold under libFuzzer with AddressSanitizer and
+# The readers of models, packed files and scenes hold under libFuzzer with AddressSanitizer and
 # UndefinedBehaviorSanitizer: each target of tests/fuzz runs ten seconds from its committed corpus,
 # or as many as the argument or UMBRA78_FUZZ_SECONDS says (bash tests/guards/fuzz.sh 3600). An input
 # that breaks one is kept in out/fuzz.
@@ -18,6 +18,7 @@ clang++ -fsanitize=fuzzer,$sanitizers "$scratch/control.cpp" -o "$scratch/contro
 flags="-std=c++20 -w -I$root"
 instrumented="$flags -O1 -g1 -fno-sanitize-recover=all -fsanitize=fuzzer-no-link,$sanitizers"
 read_by="$(ls tools/models/*.cpp tools/scene/*.cpp tests/fuzz/*.cpp | grep -v '/scene_file[.]cpp$')
+tools/stream/packed_reader.cpp tools/stream/hills.cpp raster/extent.cpp
 tools/io/suggest.cpp tools/io/text_formats.cpp raster/placing.cpp raster/shading.cpp
 raster/solids.cpp raster/scene.cpp raster/view.cpp raster/projection.cpp shadow/bias.cpp"
 echo '#include <fmt/format.h>

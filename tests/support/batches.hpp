@@ -17,7 +17,8 @@ public:
     }
     template <class Random>
     void shuffle(Random& random) {
-        for (std::size_t k = order_.size(); k > 1; --k) std::swap(order_[k - 1], order_[random.bits() % k]);
+        for (std::size_t k = order_.size(); k > 1; --k)
+            std::swap(order_[k - 1], order_[random.bits() % k]);
     }
 
     bool rewind() override {

@@ -19,6 +19,7 @@ void add_settings_command(CLI::App&, int& exit_code);
 void add_bands_command(CLI::App&, int& exit_code);
 void add_study_command(CLI::App&, int& exit_code);
 void add_model_command(CLI::App&, int& exit_code);
+void add_pack_command(CLI::App&, int& exit_code);
 void add_cycles_command(CLI::App&, int& exit_code);
 
 }  // namespace umbra78::tools

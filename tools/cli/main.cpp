@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
     add_bands_command(app, exit_code);
     add_study_command(app, exit_code);
     add_model_command(app, exit_code);
+    add_pack_command(app, exit_code);
     add_settings_command(app, exit_code);
     app.footer("Example:\n  umbra78 figures --out out");  // last, or the commands would inherit it
     try {

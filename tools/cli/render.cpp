@@ -5,11 +5,14 @@
 #include "tools/render/error_map.hpp"
 #include "tools/render/frame_warnings.hpp"
 #include "tools/render/report.hpp"
+#include "tools/render/stream_watch.hpp"
+#include "tools/scene/scene_file.hpp"
 #include "tools/scene/settings_text.hpp"
 #include "tools/truth/patch_truth.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <memory>
@@ -22,11 +25,12 @@ using nlohmann::ordered_json;
 struct Options {
     std::string scene, out, buffers, error_map;
     std::vector<std::string> set;
-    bool json = false, no_truth = false;
+    bool json = false, no_truth = false, spool = false;
 };
 
-// Why a scene with free patches has none.
-const char* no_truth_because() {
+// Why a scene that is not of spheres and planes alone has none.
+const char* no_truth_because(const LoadedScene& scene) {
+    if (scene.stream) return "a stream: its primitives are not held";
     return traces_patches() ? "free patches: there is no memory for their triangles"
                             : "free patches: built without Embree; install libembree-dev and "
                               "build again";
@@ -38,20 +42,39 @@ struct Rendered {
     std::optional<ShadowReport> error;
     std::vector<std::uint8_t> map;  // the error map, if it is asked for
     Warnings warnings;
+    std::uint64_t patches, triangles;
 
     explicit Rendered(const Options& options)
-        : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
-        job.render();
+        : scene(load_streamed_scene(options.scene, options.set, options.spool)),
+          job(scene.view(), scene.settings), patches(scene.patches.size()),
+          triangles(scene.facets.size()) {
+        if (scene.stream) {
+            draw_stream();
+        } else {
+            job.render();
+        }
         if (!options.no_truth) compare(options);
         warnings = frame_warnings(scene, job, error);
     }
 
 private:
+    void draw_stream() {
+        StreamWatch watch(scene);
+        job.render_stream(watch, [&] { return scene.stream->error(); });
+        patches = watch.patches();
+        triangles = watch.triangles();
+        scene.sample = watch.sample();
+        const Warnings found = warnings_of_stream(scene, watch.seen());
+        scene.warnings.insert(scene.warnings.end(), found.begin(), found.end());
+    }
+
     void compare(const Options& options) {
-        const std::optional<SceneTruth> truth = trace(scene);
+        const std::optional<SceneTruth> truth =
+            scene.stream ? std::nullopt : trace(scene);
         if (!truth && !options.error_map.empty())
             throw SceneError(fmt::format("--error {}: {} has no exact truth: {}",
-                                         options.error_map, options.scene, no_truth_because()));
+                                         options.error_map, options.scene,
+                                         no_truth_because(scene)));
         if (!truth) return;
         const std::vector<std::uint8_t> visible = job.visible();
         const Buffer depths = job.buffer(Plane::observer_z);
@@ -60,6 +83,13 @@ private:
         if (!options.error_map.empty()) map = error_map(*truth, job);
     }
 };
+
+// The most memory that the program has had so far.
+std::uint64_t peak_bytes() {
+    struct rusage used {};
+    ::getrusage(RUSAGE_SELF, &used);
+    return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
+}
 
 Path picture_path(const Options& options) {
     return options.out.empty() ? Path(options.scene).stem().concat(".png") : Path(options.out);
@@ -90,9 +120,12 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
     ordered_json json{{"scene", options.scene},
                       {"picture", picture_path(options).string()},
                       {"size_px", rendered.scene.settings.machine.size_px()},
-                      {"patches", rendered.scene.patches.size()},
-                      {"triangles", rendered.scene.facets.size()},
-                      {"frame_bytes", job.frame_bytes()}};
+                      {"patches", rendered.patches},
+                      {"triangles", rendered.triangles},
+                      {"frame_bytes", job.frame_bytes()},
+                      {"peak_bytes", peak_bytes()}};
+    if (rendered.scene.stream)
+        json["stream_hash"] = fmt::format("{:016x}", rendered.scene.stream->hash());
     for (const Plane plane : all_planes)
         json["hashes"][name_of(plane)] = hash_of(job.buffer(plane));
     json["error"] = to_json(rendered.error);
@@ -108,7 +141,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
     const RenderJob& job = rendered.job;
     const int size = rendered.scene.settings.machine.size_px();
     fmt::print("{}: {} x {} pixels, {} {}\n", picture_path(options).string(), size, size,
-               rendered.scene.surfaces().count(), kinds_of_surfaces(rendered.scene));
+               rendered.patches + rendered.triangles, kinds_of_surfaces(rendered.scene));
     for (const Plane plane : all_planes)
         fmt::print("{:<11} {}\n", name_of(plane), hash_of(job.buffer(plane)));
     fmt::print("bias        {}\n", print(bias_report(rendered.scene.light, job)));
@@ -119,13 +152,18 @@ void print_rows(const Options& options, const Rendered& rendered) {
                simulated_ms(ledger.total(true), clock_ns), clock_ns,
                simulated_ms(ledger.transformation(true), clock_ns));
     const StageTimes& t = job.times();
-    fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
-               "{:.1f}\n",
-               t.total_ms(), t.light_ms, t.observer_ms, t.post_process_ms, t.filters_ms);
+    if (rendered.scene.stream)
+        fmt::print("host        {:.1f} ms, the reading included, and {:.1f} MB of memory at most\n",
+                   t.total_ms(), static_cast<double>(peak_bytes()) / 1e6);
+    else
+        fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
+                   "{:.1f}\n",
+                   t.total_ms(), t.light_ms, t.observer_ms, t.post_process_ms, t.filters_ms);
     if (rendered.error) {
         fmt::print("{}", print(*rendered.error));
     } else {
-        fmt::print("error       n/a ({})\n", options.no_truth ? "--no-truth" : no_truth_because());
+        fmt::print("error       n/a ({})\n",
+                   options.no_truth ? "--no-truth" : no_truth_because(rendered.scene));
     }
     if (!options.error_map.empty())
         fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);
@@ -162,6 +200,9 @@ void add_render_command(CLI::App& app, int&) {
         .flag("--no-truth", options->no_truth,
               "Do not compute the exact truth and the errors against it")
         .excludes(error_file);
+    command.flag("--spool", options->spool,
+                 "Copy a [stream] that cannot be read twice, such as standard input, to a "
+                 "temporary file first");
     command.json(options->json);
     command.footer([] {
         return settings_help() +

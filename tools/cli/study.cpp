@@ -101,7 +101,8 @@ void add_study(const Command& above, const Study& study) {
     if (study.takes().automatic)
         command.flag("--auto", options->automatic, "Print the answer for the scene");
     command.flag("--no-host-times", options->no_host_times,
-                 "Leave out the columns that end in _host_ms: the same files every time");
+                 "Leave out the columns that end in _host_ms or _host_mb: the same files every "
+                 "time");
     command.flag("--replace", options->replace, replace_help);
     command.flag("--json", options->json, "Print the summary as JSON instead of text");
     command.footer(fmt::format("{1}Example:\n  umbra78 study {0} --quick --out out/{0}", name,

@@ -25,6 +25,10 @@ namespace {
 // The open descriptor of a file.
 struct Opened {
     int number;
+    explicit Opened(int of) : number(of) {}
+    Opened(Opened&& other) noexcept : number(std::exchange(other.number, -1)) {}
+    Opened& operator=(Opened&&) = delete;
+    int release() { return std::exchange(number, -1); }
     ~Opened() {
         if (number >= 0) ::close(number);
     }
@@ -40,8 +44,7 @@ void write_all(int file, const Destination& to, std::span<const std::byte> conte
 }
 
 // A file that replaces another has its mode and, where that is allowed, its owner.
-void write_partial(const PartialFile& partial, const Destination& to,
-                   std::span<const std::byte> content) {
+Opened open_partial(const PartialFile& partial, const Destination& to) {
     ::unlink(partial.name());  // of a process that was killed and had the same number
     Opened file{::open(partial.name(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                        to.now ? 0600 : 0666)};
@@ -51,16 +54,30 @@ void write_partial(const PartialFile& partial, const Destination& to,
         const mode_t kept = owned ? 07777 : 0777;  // no set-user-ID for another owner
         if (::fchmod(file.number, to.now->st_mode & kept) != 0) fail_to_write(to.named, errno);
     }
+    return file;
+}
+
+void close_written(int& file, const Destination& to) {
+    if (::close(std::exchange(file, -1)) != 0) fail_to_write(to.named, errno);
+}
+
+void write_partial(const PartialFile& partial, const Destination& to,
+                   std::span<const std::byte> content) {
+    Opened file = open_partial(partial, to);
     write_all(file.number, to, content);
-    if (::close(std::exchange(file.number, -1)) != 0) fail_to_write(to.named, errno);
+    close_written(file.number, to);
+}
+
+Opened open_in_place(const Destination& to) {
+    Opened file{::open(to.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC)};
+    if (file.number < 0) fail_to_write(to.named, errno);
+    return file;
 }
 
 void write_in_place(const Destination& to, std::span<const std::byte> content) {
     if (to.kind == Destination::Kind::standard_output)
         return write_all(standard_output(), to, content);
-    const Opened file{::open(to.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC)};
-    if (file.number < 0) fail_to_write(to.named, errno);
-    write_all(file.number, to, content);
+    write_all(open_in_place(to).number, to, content);
 }
 
 }  // namespace
@@ -107,6 +124,28 @@ void FileSet::commit() {
         if (!w.partial.rename_to(w.to.path)) fail_to_write(w.to.named, errno);
     written_.clear();
     folders_.clear();
+}
+
+LongFile::LongFile(const Path& path) : to_(destination_of(path)), file_(-1) {
+    if (to_.kind == Destination::Kind::file) {
+        partial_.emplace(to_.path);
+        file_ = open_partial(*partial_, to_).release();
+    } else {
+        file_ = to_.kind == Destination::Kind::standard_output ? ::dup(standard_output())
+                                                               : open_in_place(to_).release();
+        if (file_ < 0) fail_to_write(to_.named, errno);
+    }
+}
+
+LongFile::~LongFile() {
+    if (file_ >= 0) ::close(file_);
+}
+
+void LongFile::write(std::span<const std::byte> content) { write_all(file_, to_, content); }
+
+void LongFile::commit() {
+    close_written(file_, to_);
+    if (partial_ && !partial_->rename_to(to_.path)) fail_to_write(to_.named, errno);
 }
 
 void write_file(const Path& path, std::span<const std::byte> content, FileSet* set) {

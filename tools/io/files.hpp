@@ -49,6 +49,24 @@ private:
     std::vector<Kept> kept_;
 };
 
+// A file that is too long to be held: written piece by piece under its partial name, or in place.
+// Unless it is committed, nothing stays of what was not written in place.
+class LongFile {
+public:
+    explicit LongFile(const Path&);
+    LongFile(const LongFile&) = delete;
+    LongFile& operator=(const LongFile&) = delete;
+    ~LongFile();
+
+    void write(std::span<const std::byte>);
+    void commit();
+
+private:
+    Destination to_;
+    std::optional<PartialFile> partial_;  // none where it is written in place
+    int file_;
+};
+
 // Every writer below puts its file into `set`, or where there is none, in its place at once.
 void write_file(const Path&, std::span<const std::byte> content, FileSet* set = nullptr);
 

@@ -2,6 +2,8 @@
 
 #include "tools/models/obj.hpp"
 #include "tools/models/patch_files.hpp"
+#include "tools/models/ply.hpp"
+#include "tools/models/stl.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +18,8 @@ struct ModelFormat {
 };
 
 constexpr ModelFormat formats[] = {
-    {".bpt", read_bpt}, {".bez", read_bez}, {".tea", read_tea}, {".obj", read_obj}};
+    {".bpt", read_bpt}, {".bez", read_bez}, {".tea", read_tea},
+    {".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply}};
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
@@ -25,6 +28,11 @@ std::string lower_case(std::string_view text) {
 }
 
 }  // namespace
+
+std::string place_in(const ModelData& model, int line) {
+    if (model.counted.empty()) return fmt::format("{}:{}", model.name, line);
+    return fmt::format("{}: {} {}", model.name, model.counted, line);
+}
 
 ModelResult read_model(std::string_view text, const std::string& name) {
     ModelResult result;
@@ -35,7 +43,8 @@ ModelResult read_model(std::string_view text, const std::string& name) {
         return lower.ends_with(f.ending);
     });
     if (format == std::end(formats))
-        error.report(name + ": the name ends like no model's; known: .bpt, .bez, .tea, .obj");
+        error.report(name + ": the name ends like no model's; known: .bpt, .bez, .tea, .obj, "
+                            ".stl, .ply");
     else
         format->read(text, result.model, error);
     result.error = error.line();

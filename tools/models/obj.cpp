@@ -1,9 +1,9 @@
 #include "tools/models/obj.hpp"
 
+#include "tools/models/faces.hpp"
 #include "tools/models/obj_corner.hpp"
 #include "tools/models/obj_statements.hpp"
 #include "tools/models/obj_surfaces.hpp"
-#include "tools/models/polygon.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 namespace umbra78::tools {
 namespace {
 
-using raster::Facet;
 using Words = std::vector<ModelWord>;
 
 // Statements that change nothing that is seen here.
@@ -85,50 +84,21 @@ private:
             cut_face({corners_.data() + begin, end - begin});
             begin = end;
         }
-        keep_used(points_, &Facet::vertex, model_.vertices);
-        keep_used(normals_, &Facet::normal, model_.normals);
+        keep_used_points(points_, normals_, model_);
     }
 
-    void cut_face(std::span<const ObjCorner> face) {
-        std::vector<ModelPoint> corners;
-        bool smooth = true;
-        for (const ObjCorner& c : face) {
-            corners.push_back(point_at(points_, c.vertex, "vertex", c.line, model_.name, error_));
-            smooth = smooth && c.normal != ObjCorner::none;
+    void cut_face(std::span<const ObjCorner> corners) {
+        std::vector<FaceCorner> face;
+        for (const ObjCorner& c : corners) {
+            point_at(points_, c.vertex, "vertex", c.line, model_.name, error_);
             if (c.normal != ObjCorner::none)
                 point_at(normals_, c.normal, "normal", c.line, model_.name, error_);
             if (error_.any()) return;
+            face.push_back({.vertex = static_cast<std::uint32_t>(c.vertex)});
+            if (c.normal != ObjCorner::none)
+                face.back().normal = static_cast<std::uint32_t>(c.normal);
         }
-        for (const auto& [a, b, c] : triangulate(corners)) {
-            if (without_area(corners[a], corners[b], corners[c])) {
-                ++model_.no_area;
-                continue;
-            }
-            Facet facet;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const ObjCorner& corner = face[std::array{a, b, c}[k]];
-                facet.vertex[k] = static_cast<std::uint32_t>(corner.vertex);
-                if (smooth) facet.normal[k] = static_cast<std::uint32_t>(corner.normal);
-            }
-            model_.facets.push_back(facet);
-        }
-    }
-
-    // Appends those points of the file that facets name, in the file's order, and renumbers.
-    void keep_used(const std::vector<ModelPoint>& all, std::array<std::uint32_t, 3> Facet::*names,
-                   std::vector<ModelPoint>& kept) {
-        std::vector<std::uint32_t> place(all.size(), Facet::flat);
-        for (const Facet& facet : model_.facets)
-            for (const std::uint32_t n : facet.*names)
-                if (n != Facet::flat) place[n] = 0;
-        for (std::size_t k = 0; k < all.size(); ++k) {
-            if (place[k] == Facet::flat) continue;
-            place[k] = static_cast<std::uint32_t>(kept.size());
-            kept.push_back(all[k]);
-        }
-        for (Facet& facet : model_.facets)
-            for (std::uint32_t& n : facet.*names)
-                if (n != Facet::flat) n = place[n];
+        append_face(face, points_, model_);
     }
 
     ModelData& model_;

@@ -6,9 +6,6 @@
 
 namespace umbra78::tools {
 
-// A polygon has at most this many corners: ears are looked for in a time of its square.
-inline constexpr std::size_t most_corners = 1024;
-
 // Appends the triangles of a file's faces, and the vertices and normals that they use, to the
 // model. A face whose corners do not all name a normal has none. Lines and points are counted, what
 // tells of names, materials and textures is skipped, and what is unknown is refused.

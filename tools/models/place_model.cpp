@@ -1,7 +1,5 @@
 #include "tools/models/place_model.hpp"
 
-#include "tools/models/words.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,9 +30,9 @@ public:
         const raster::WideVector words =
             raster::placed(how_.placing, local, model_fraction + scale_fraction);
         if (raster::in_world(words)) return raster::world_of(words);
-        report_at(error_, model_.name, point.line,
-                  fmt::format("this point lies at {} in the world, which ends at -32767 and "
-                              "32767; {}", print(words), remedy_));
+        error_.report(fmt::format("{}: this point lies at {} in the world, which ends at -32767 "
+                                  "and 32767; {}", place_in(model_, point.line), print(words),
+                                  remedy_));
         return {};
     }
 

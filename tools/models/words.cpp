@@ -83,12 +83,12 @@ int read_whole(const ModelWord& word, const std::string& called, int min, int ma
 }
 
 ModelWords::ModelWords(std::string_view text, const std::string& name, bool commas,
-                       FirstError& error)
-    : rest_(text), name_(name), commas_(commas), error_(error) {
+                       FirstError& error, int line)
+    : rest_(text), name_(name), commas_(commas), error_(error), line_(line) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
     advance();
-    if (done()) report(1, "the file holds no numbers; give it a model, or name another file");
+    if (done()) report(line, "the file holds no numbers; give it a model, or name another file");
 }
 
 void ModelWords::advance() {

@@ -27,7 +27,9 @@ std::string shown(std::string_view word);
 // from # to the end of the line. Lines end with LF or CR LF. A byte order mark is skipped.
 class ModelWords {
 public:
-    ModelWords(std::string_view text, const std::string& name, bool commas, FirstError& error);
+    // The text begins in `line` of the file.
+    ModelWords(std::string_view text, const std::string& name, bool commas, FirstError& error,
+               int line = 1);
 
     bool done() const { return next_.text.empty() || error_.any(); }
     const ModelWord& peek() const { return next_; }  // an empty text at the end
@@ -52,7 +54,7 @@ private:
     bool commas_;
     FirstError& error_;
     ModelWord next_;
-    int line_ = 1;
+    int line_;
 };
 
 // The word of a coordinate, at most max_model, or a report. Beside what fixed::parse_decimal()

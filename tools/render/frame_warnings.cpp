@@ -48,7 +48,12 @@ Warnings frame_warnings(const LoadedScene& scene, const RenderJob& job,
                    warnings);
     warn_of_blocks(job.counts().lights[0].map.unresolved, "light", "cast no shadow", warnings);
     const std::vector<std::uint8_t> visible = job.visible();
-    if (!scene.surfaces().empty() && std::count(visible.begin(), visible.end(), 1) == 0) {
+    const bool nothing = std::count(visible.begin(), visible.end(), 1) == 0;
+    if (scene.stream && nothing) {
+        warnings.push_back({"nothing_visible", 0,
+                            "0 pixels show a surface: the stream is empty, beside the picture or "
+                            "smaller than a pixel; leave observer.extent and observer.target out"});
+    } else if (!scene.surfaces().empty() && nothing) {
         raster::View whole = scene.observer;
         whole.extent = fitted_extent(whole, scene.surfaces());
         warnings.push_back(

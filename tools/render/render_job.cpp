@@ -1,5 +1,6 @@
 #include "tools/render/render_job.hpp"
 
+#include "shadow/frame/stream.hpp"
 #include "tools/scene/checks.hpp"
 #include "tools/scene/scene_error.hpp"
 
@@ -104,6 +105,26 @@ void RenderJob::render() {
     draw_observer();
     cast_shadows();
     filter_and_composite();
+}
+
+void RenderJob::render_stream(raster::PrimitiveSource& source,
+                              const std::function<std::string()>& why) {
+    auto status = shadow::StreamStatus::ok;
+    times_.stream_ms = timed_ms([&] {
+        status = std::visit(
+            [&](auto& f) { return shadow::draw_stream(inputs_, plan_, source, f, counts_); },
+            frame_);
+    });
+    switch (status) {
+        case shadow::StreamStatus::ok: return;
+        case shadow::StreamStatus::source_failed: throw SceneError(why());
+        case shadow::StreamStatus::cannot_rewind:
+            throw SceneError("the stream cannot be read twice, and the correct form reads it "
+                             "twice; give --spool, or --set form=post_process");
+        case shadow::StreamStatus::beyond_largest:
+            throw SceneError("a coordinate of the stream is greater than stream.largest; raise it, "
+                             "or leave it out");
+    }
 }
 
 shadow::FrameLedger RenderJob::ledger() const {

@@ -6,6 +6,7 @@
 // wall clock, in milliseconds.
 #pragma once
 
+#include "raster/source.hpp"
 #include "shadow/clocked/memory_replay.hpp"
 #include "shadow/frame/frame.hpp"
 #include "shadow/frame/ledger.hpp"
@@ -13,8 +14,10 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <new>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -23,8 +26,9 @@ namespace umbra78::tools {
 struct StageTimes {
     double matrices_ms = 0;  // and the plan
     double light_ms = 0, observer_ms = 0, post_process_ms = 0, filters_ms = 0;
+    double stream_ms = 0;    // all stages of a frame that is drawn from a stream, reading included
     double total_ms() const {
-        return matrices_ms + light_ms + observer_ms + post_process_ms + filters_ms;
+        return matrices_ms + light_ms + observer_ms + post_process_ms + filters_ms + stream_ms;
     }
 };
 
@@ -68,6 +72,9 @@ public:
     void cast_shadows();
     void filter_and_composite();
     void render();  // all of them, in order
+    // All of them for a scene that is streamed, from this source. Throws SceneError, and the frame
+    // is not whole, if it cannot be read to its end; `why` then says why.
+    void render_stream(raster::PrimitiveSource&, const std::function<std::string()>& why);
 
     const shadow::FrameInputs& inputs() const { return inputs_; }
     const shadow::Settings& settings() const { return inputs_.settings; }

@@ -17,6 +17,8 @@ std::string decimal(std::int64_t q16) {
     return fmt::format("{:.6g}", static_cast<double>(q16) / world_one);
 }
 
+constexpr const char *loses_shadow = "and may cast no shadow", *loses_sight = "and are cut off";
+
 raster::View fitted_view(raster::View view, const Surfaces& surfaces) {
     view.extent = fitted_extent(view, surfaces);
     raster::fit_depth(view, raster::depth_range(view, surfaces));
@@ -37,16 +39,12 @@ std::string behind(double depth) {
     return fmt::format("{:.4g}", std::ceil(far / unit) * unit);
 }
 
-// What near and far cut off of what the view's window shows. `loses` says what a cut patch does.
-void warn_of_depths(const LoadedScene& scene, const raster::View& view, const std::string& name,
-                    const std::string& loses, Warnings& warnings) {
-    const CutDepths cut = cut_depths(view, scene.surfaces());
-    if (!cut.any()) return;
+// What near and far cut off of what the view's window shows. `loses` says what a cut patch does;
+// `fits` says whether near and far as they are fitted cut nothing off.
+void warn_of_cut(const LoadedScene& scene, const raster::View& view, const CutDepths& cut,
+                 std::uint64_t all, const std::string& name, const std::string& loses, bool fits,
+                 Warnings& warnings) {
     const bool perspective = view.projection == raster::Projection::perspective;
-    raster::View whole = view;
-    raster::fit_depth(whole, raster::depth_range(view, scene.surfaces()));
-    const bool fits = !cut_depths(whole, scene.surfaces()).any();
-    const std::size_t all = scene.surfaces().count();
     const auto add = [&](const char* key, std::size_t patches, const std::string& what,
                          const std::string& remedy) {
         warnings.push_back({key, static_cast<double>(patches),
@@ -69,6 +67,16 @@ void warn_of_depths(const LoadedScene& scene, const raster::View& view, const st
             fmt::format("set {}.far = {}", name, behind(cut.farthest)));
 }
 
+void warn_of_depths(const LoadedScene& scene, const raster::View& view, const std::string& name,
+                    const std::string& loses, Warnings& warnings) {
+    const CutDepths cut = cut_depths(view, scene.surfaces());
+    if (!cut.any()) return;
+    raster::View whole = view;
+    raster::fit_depth(whole, raster::depth_range(view, scene.surfaces()));
+    const bool fits = !cut_depths(whole, scene.surfaces()).any();
+    warn_of_cut(scene, view, cut, scene.surfaces().count(), name, loses, fits, warnings);
+}
+
 void warn_of_light(const LoadedScene& scene, Warnings& warnings) {
     const std::size_t all = scene.surfaces().count();
     const Outside outside = count_outside(scene.light, scene.surfaces());
@@ -85,12 +93,12 @@ void warn_of_light(const LoadedScene& scene, Warnings& warnings) {
              fmt::format("{} of {} {} lie beside or behind the light and cast no shadow; "
                          "move light.position out of the scene",
                          outside.window, all, kinds_of_surfaces(scene))});
-    warn_of_depths(scene, scene.light, "light", "and may cast no shadow", warnings);
+    warn_of_depths(scene, scene.light, "light", loses_shadow, warnings);
 }
 
 void warn_of_observer(const LoadedScene& scene, Warnings& warnings) {
     const std::size_t before = warnings.size();
-    warn_of_depths(scene, scene.observer, "observer", "and are cut off", warnings);
+    warn_of_depths(scene, scene.observer, "observer", loses_sight, warnings);
     const std::size_t outside = count_outside(scene.observer, scene.surfaces()).window;
     if (warnings.size() == before && outside == scene.surfaces().count())
         warnings.push_back(
@@ -130,6 +138,7 @@ void check_matrices(const LoadedScene& scene, FirstError& error) {
 
 Warnings warnings_of(const LoadedScene& scene) {
     Warnings warnings;
+    if (scene.stream) return warnings;
     if (scene.surfaces().empty()) {
         warnings.push_back(
             {"empty", 0, "nothing is drawn: the scene has no [[sphere]] or other surface"});
@@ -138,6 +147,30 @@ Warnings warnings_of(const LoadedScene& scene) {
         warn_of_observer(scene, warnings);
         warn_of_words(scene, warnings);
     }
+    for (Warning& warning : warnings) warning.line.insert(0, scene.name + ": ");
+    return warnings;
+}
+
+Warnings warnings_of_stream(const LoadedScene& scene, const StreamSeen& seen) {
+    Warnings warnings;
+    const std::uint64_t all = seen.primitives;
+    if (all == 0)
+        warnings.push_back({"empty", 0, "nothing is drawn: the stream has no primitives"});
+    else
+        warn_of_words(scene, warnings);
+    if (seen.light.window > 0)
+        warnings.push_back(
+            {"light_window", static_cast<double>(seen.light.window),
+             fmt::format("{} of {} primitives reach out of the light's picture {}; raise "
+                         "light.extent, or leave it out",
+                         seen.light.window, all, loses_shadow)});
+    warn_of_cut(scene, scene.light, seen.light_cut, all, "light", loses_shadow, false, warnings);
+    warn_of_cut(scene, scene.observer, seen.observer_cut, all, "observer", loses_sight, false,
+                warnings);
+    if (all > 0 && seen.observer.window == all && !seen.observer_cut.any())
+        warnings.push_back({"observer_window", static_cast<double>(all),
+                            "every surface reaches out of the picture; raise observer.extent, or "
+                            "leave it out"});
     for (Warning& warning : warnings) warning.line.insert(0, scene.name + ": ");
     return warnings;
 }

@@ -3,6 +3,8 @@
 
 #include "tools/io/first_error.hpp"
 #include "tools/scene/scene.hpp"
+#include "tools/scene/view_fit.hpp"
+#include "tools/scene/visible_depths.hpp"
 
 namespace umbra78::tools {
 
@@ -16,7 +18,17 @@ void check_matrices(const LoadedScene&, FirstError&);
 //   observer_window  all patches reach out of the picture
 //   object_words, view_matrix, shadow_matrix, depth_order, bias   see word_checks.hpp
 // What is known only once the frame is drawn is in tools/render/frame_warnings.hpp.
+// Of a scene with a [stream] nothing is known before it is drawn.
 Warnings warnings_of(const LoadedScene&);
+
+// What was seen of a stream while it was drawn, in both views, and the same warnings from it. The
+// scene has a sample of its points.
+struct StreamSeen {
+    std::uint64_t primitives = 0;
+    Outside light, observer;
+    CutDepths light_cut, observer_cut;
+};
+Warnings warnings_of_stream(const LoadedScene&, const StreamSeen&);
 std::vector<std::string> lines_of(const Warnings&);
 
 // Why a frame cannot be drawn and the remedy, in a line; "" for FrameStatus::ok.

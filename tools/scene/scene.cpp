@@ -6,13 +6,46 @@
 #include "tools/scene/table_reader.hpp"
 #include "tools/scene/views.hpp"
 
+#include <fmt/format.h>
+
 namespace umbra78::tools {
 namespace {
+
+// [stream]: opens it, takes its materials and returns the points of all surfaces.
+ScenePoints read_stream(const TomlNode& node, const StreamSource& streams, LoadedScene& scene,
+                        FirstError& error) {
+    const TableReader in(node, scene_table("stream"), error);
+    ScenePoints points(scene.surfaces(), nullptr, error);
+    const std::string path = in.needed_text("file");
+    const std::int64_t largest = in.number("largest", 0);
+    if (error.any()) return points;
+    if (!streams) {
+        in.report(node, "a scene with a [stream] is drawn by umbra78 render alone; put the "
+                        "surfaces into [[model]] files for this command");
+        return points;
+    }
+    OpenedStream opened = streams(path);
+    if (!opened.stream) {
+        in.report(in.need("file"), fmt::format("{}: {}", in.called("file"), opened.error));
+        return points;
+    }
+    const std::span materials = opened.stream->materials();
+    if (scene.materials.size() + materials.size() > UINT16_MAX) {
+        in.report(node, "the scene and its stream have more than 65535 materials; merge some");
+        return points;
+    }
+    scene.stream = std::move(opened.stream);
+    scene.stream->number_materials_from(static_cast<std::uint16_t>(scene.materials.size()));
+    scene.materials.insert(scene.materials.end(), materials.begin(), materials.end());
+    points = ScenePoints(scene.surfaces(), scene.stream.get(), error);
+    if (largest > 0) points.promise(static_cast<std::uint32_t>(largest));
+    return points;
+}
 
 // Each step computes with what the steps before it have read, so it is taken only if they found
 // no error.
 void read(std::string_view text, std::span<const std::string> overrides, const FileSource& files,
-          LoadedScene& scene, FirstError& error) {
+          const StreamSource& streams, LoadedScene& scene, FirstError& error) {
     TomlNode root = parse_toml(text, scene.name, error);
     if (error.any()) return;
     const TomlNode set = apply_view_overrides(root, overrides, error);
@@ -20,10 +53,17 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
     if (error.any()) return;
     read_surfaces(root, files, scene, error);
     if (error.any()) return;
-    take_origin(read_origin(root, scene.surfaces(), error), scene);
-    scene.observer = read_observer(root, scene.surfaces(), scene.origin, error);
+    ScenePoints points(scene.surfaces(), nullptr, error);
+    if (const TomlNode* stream = root.find("stream"))
+        points = read_stream(*stream, streams, scene, error);
+    expect_axes(root, points);
+    take_origin(read_origin(root, points, error), scene);
+    points.take_origin(scene.origin, scene.surfaces());
+    scene.observer = read_observer(root, points, scene.origin, error);
     if (error.any()) return;
-    scene.light = read_light(root, scene.surfaces(), scene.origin, error);
+    scene.light = read_light(root, points, scene.origin, error);
+    if (error.any()) return;
+    scene.largest = points.box().largest();
     const bool perspective = scene.observer.projection == raster::Projection::perspective ||
                              scene.light.projection == raster::Projection::perspective;
     scene.settings = read_settings(root.find("settings"), set, perspective, error);
@@ -37,16 +77,18 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
 }  // namespace
 
 std::string_view kinds_of_surfaces(const LoadedScene& scene) {
+    if (scene.stream) return "primitives";
     if (scene.facets.empty()) return "patches";
     return scene.patches.empty() ? "triangles" : "patches and triangles";
 }
 
 SceneResult read_scene(std::string_view text, const std::string& name,
-                       std::span<const std::string> overrides, const FileSource& files) {
+                       std::span<const std::string> overrides, const FileSource& files,
+                       const StreamSource& streams) {
     SceneResult result;
     FirstError error;
     result.scene.name = name;
-    read(text, overrides, files, result.scene, error);
+    read(text, overrides, files, streams, result.scene, error);
     result.error = error.line();
     return result;
 }

@@ -9,8 +9,10 @@
 #include "raster/scene.hpp"
 #include "shadow/frame/frame.hpp"
 #include "tools/scene/warning.hpp"
+#include "tools/stream/stream.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,14 +33,23 @@ struct LoadedScene {
     raster::World origin{};
     std::size_t free_patches = 0;        // neither spheres' nor planes': truth has no closed form
     raster::View observer, light;
+    // The primitives of [stream], which come after those above; null if there is none. All places
+    // lie within `largest` of the origin, in each coordinate.
+    std::shared_ptr<PrimitiveStream> stream;
+    std::uint32_t largest = 0;
+    std::vector<raster::World> sample;   // points of the stream, once it has been drawn
     shadow::Settings settings;           // the file's, with the overrides applied
     Warnings warnings;                   // a caster outside the light's volume, ...
 
     // Whether exact truth has a closed form: spheres and planes alone.
-    bool has_closed_form() const { return free_patches == 0 && facets.empty(); }
+    bool has_closed_form() const { return free_patches == 0 && facets.empty() && !stream; }
     raster::Mesh mesh() const { return {vertices, normals, facets}; }
     raster::Surfaces surfaces() const { return {patches, mesh()}; }
-    shadow::Scene view() const { return {patches, materials, observer, {{light}}, 1, mesh()}; }
+    // What the core draws; of a scene with a stream, without any surfaces.
+    shadow::Scene view() const {
+        if (stream) return {{}, materials, observer, {{light}}, 1, {}, true, largest};
+        return {patches, materials, observer, {{light}}, 1, mesh()};
+    }
 };
 
 // What its surfaces are called where they are counted: "patches", "patches and triangles", ...
@@ -61,10 +72,14 @@ struct FileText {
 // Gives the file that stands in a scene as `path`, which counts from the scene's own folder.
 using FileSource = std::function<FileText(const std::string& path)>;
 
+// Opens the packed file that stands in a scene as [stream] file.
+using StreamSource = std::function<OpenedStream(const std::string& path)>;
+
 // `name` is the file's, for errors and warnings. `overrides` are "key=value" as --set takes them:
 // a setting's key, observer.KEY or light.KEY; of two with the same key the later one counts.
-// Without `files` a scene that names files is an error.
+// Without `files` a scene that names files is an error, and without `streams` one with a [stream].
 SceneResult read_scene(std::string_view text, const std::string& name,
-                       std::span<const std::string> overrides, const FileSource& files = {});
+                       std::span<const std::string> overrides, const FileSource& files = {},
+                       const StreamSource& streams = {});
 
 }  // namespace umbra78::tools

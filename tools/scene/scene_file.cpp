@@ -1,7 +1,9 @@
 #include "tools/scene/scene_file.hpp"
 
+#include "tools/io/destination.hpp"
 #include "tools/scene/azimuth_sweep.hpp"
 #include "tools/scene/toml_text.hpp"
+#include "tools/stream/packed.hpp"
 
 #include <fmt/format.h>
 
@@ -44,6 +46,12 @@ LoadedScene scene_or_throw(SceneResult result) {
     return std::move(result.scene);
 }
 
+std::string scene_text(const std::string& path) {
+    FileText file = read_text_file(path, "a scene file");
+    if (!file.error.empty()) throw SceneError(file.error);
+    return std::move(file.text);
+}
+
 void throw_if_any(const FirstError& error) {
     if (error.any()) throw SceneError(error.line());
 }
@@ -56,9 +64,20 @@ LoadedScene parse_scene(std::string_view text, const std::string& name,
 }
 
 LoadedScene load_scene(const std::string& path, std::span<const std::string> overrides) {
-    const FileText file = read_text_file(path, "a scene file");
-    if (!file.error.empty()) throw SceneError(file.error);
-    return parse_scene(file.text, path, overrides, files_beside(path));
+    return parse_scene(scene_text(path), path, overrides, files_beside(path));
+}
+
+LoadedScene load_streamed_scene(const std::string& path, std::span<const std::string> overrides,
+                                bool spool) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    const auto open = [&](const std::string& named) {
+        if (named == "-") return open_packed(named, spool);
+        const std::string file = (folder / named).string();
+        note_input(file);
+        return open_packed(file, spool);
+    };
+    return scene_or_throw(
+        read_scene(scene_text(path), path, overrides, files_beside(path), open));
 }
 
 FileSource files_beside(const std::string& path) {

@@ -19,6 +19,11 @@ LoadedScene load_scene(const std::string& path, std::span<const std::string> ove
 LoadedScene parse_scene(std::string_view text, const std::string& name,
                         std::span<const std::string> overrides, const FileSource& files = {});
 
+// The same for a scene that may have a [stream], which the caller draws as it is read. `spool`: as
+// open_packed() takes it.
+LoadedScene load_streamed_scene(const std::string& path, std::span<const std::string> overrides,
+                                bool spool);
+
 // The files that the scene at `path` names, which count from its folder.
 FileSource files_beside(const std::string& path);
 

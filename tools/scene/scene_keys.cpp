@@ -194,6 +194,14 @@ constexpr SceneKey model_keys[] = {
     material,
 };
 
+constexpr SceneKey stream_keys[] = {
+    {.key = "file", .kind = text, .left_out = needed, .example = "\"hills.u78p\"",
+     .meaning = "a packed file, its path from the scene's folder; \"-\" is standard input"},
+    {.key = "largest", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = "found by a pass over the file",
+     .meaning = "no coordinate of the stream is farther from 0; it decides the object words"},
+};
+
 constexpr SceneTable tables[] = {
     {"observer", false, "The view of the picture. It may be left out.", observer_keys},
     {"light", false, "The light, and its view of the scene: the depth map. It must be given.",
@@ -208,7 +216,10 @@ constexpr SceneTable tables[] = {
     {"cone", true, "A cone along the y axis, drawn as 8 patches and 8 for a cap.", cone_keys},
     {"box", true, "A box along the axes, drawn as six patches.", box_keys},
     {"triangle", true, "A triangle, seen from both sides.", triangle_keys},
-    {"model", true, "Surfaces from a file: .bpt, .bez, .tea or .obj.", model_keys},
+    {"model", true, "Surfaces from a file: .bpt, .bez, .tea, .obj, .stl or .ply.", model_keys},
+    {"stream", false,
+     "Any number of patches and triangles, read as they are drawn and never held (umbra78 pack).",
+     stream_keys},
 };
 constexpr auto names = [] {
     std::array<std::string_view, std::size(tables) + 1> made{};

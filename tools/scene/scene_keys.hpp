@@ -58,7 +58,7 @@ struct SceneTable {
     std::span<const SceneKey> keys;
 };
 
-// [observer], [light], [[material]], and the surfaces, [[sphere]] the first.
+// [observer], [light], [[material]], and the surfaces, [[sphere]] the first and [stream] the last.
 std::span<const SceneTable> scene_tables();
 
 // The names of all tables, `settings` the last.

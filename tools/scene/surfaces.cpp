@@ -1,5 +1,6 @@
 #include "tools/scene/surfaces.hpp"
 
+#include "fixed/decimal.hpp"
 #include "tools/scene/materials.hpp"
 #include "tools/scene/scene_models.hpp"
 #include "tools/scene/scene_solids.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace umbra78::tools {
 namespace {
@@ -53,20 +55,56 @@ raster::Plane read_plane(const TomlNode& node, const MaterialNames& names, First
     return plane;
 }
 
+// The numbers of arrays in each other, `sizes` of them at each level, into the words from `next`
+// on. False if the tokens are something else, or a number is out of the range.
+bool read_words(ArrayTokens& tokens, std::span<const int> sizes, const NumberRange& range,
+                std::int32_t*& next) {
+    if (tokens.next().kind != ArrayToken::Kind::open) return false;
+    for (int k = 0; k < sizes.front(); ++k) {
+        if (sizes.size() > 1) {
+            if (!read_words(tokens, sizes.subspan(1), range, next)) return false;
+            continue;
+        }
+        const ArrayToken token = tokens.next();
+        if (token.kind != ArrayToken::Kind::number) return false;
+        const auto [word, status] = fixed::parse_decimal(token.text, range.fraction, 64);
+        if (status != fixed::DecimalStatus::ok || word < range.min || word > range.max)
+            return false;
+        *next++ = static_cast<std::int32_t>(word);
+    }
+    return tokens.next().kind == ArrayToken::Kind::close;
+}
+
+// The control points of a patch that has stayed text, without a tree of it. False if the text is
+// not as most patches' is: then read_control() says what is wrong, if anything is.
+bool read_plain_control(std::string_view text, const NumberRange& range, raster::Patch& patch) {
+    constexpr int points[] = {16, 3}, rows[] = {4, 4, 3};
+    for (const auto sizes : {std::span<const int>(points), std::span<const int>(rows)}) {
+        std::array<std::int32_t, 48> words{};
+        std::int32_t* next = words.data();
+        ArrayTokens tokens(text);
+        if (!read_words(tokens, sizes, range, next)) continue;
+        for (std::size_t k = 0; k < patch.control.size(); ++k)
+            patch.control[k] = {words[3 * k], words[3 * k + 1], words[3 * k + 2]};
+        return true;
+    }
+    return false;
+}
+
 // 16 points, or four rows of four.
-raster::Patch read_patch(const TomlNode& node, const MaterialNames& names, FirstError& error) {
-    const TableReader in(node, scene_table("patch"), error);
-    const TomlNode& control = in.need("control");
+void read_control(const TableReader& in, const TomlNode& control, raster::Patch& patch) {
     const NumberRange& range = scene_key(scene_table("patch"), "control").range;
-    raster::Patch patch;
+    if (read_plain_control(control.numbers.text, range, patch)) return;
     std::size_t count = 0;
     const auto add = [&](const TomlNode& point) {
-        const raster::World world = read_point(
-            point, fmt::format("point {} of {}", count, in.called("control")), range, error);
+        const raster::World world =
+            read_point(point, fmt::format("point {} of {}", count, in.called("control")), range,
+                       in.error());
         if (count < patch.control.size()) patch.control[count] = world;
         ++count;
     };
-    for (const TomlNode& row : control.children) {
+    TomlNode room;
+    for (const TomlNode& row : with_items(control, room).children) {
         const bool is_row = row.kind == Kind::array && !row.children.empty() &&
                             row.children.front().kind == Kind::array;
         if (is_row && row.children.size() != 4)
@@ -82,6 +120,12 @@ raster::Patch read_patch(const TomlNode& node, const MaterialNames& names, First
     if (count != patch.control.size())
         in.report(control, fmt::format("{} holds {} points; write 16, or 4 rows of 4",
                                        in.called("control"), count));
+}
+
+raster::Patch read_patch(const TomlNode& node, const MaterialNames& names, FirstError& error) {
+    const TableReader in(node, scene_table("patch"), error);
+    raster::Patch patch;
+    read_control(in, in.need("control"), patch);
     patch.material = read_material(in, names);
     return patch;
 }
@@ -97,6 +141,7 @@ void take_origin(const raster::World& origin, LoadedScene& scene) {
     for (raster::Patch& patch : scene.patches)
         for (raster::World& point : patch.control) take(point);
     for (raster::World& vertex : scene.vertices) take(vertex);
+    if (scene.stream) scene.stream->take_origin(origin);
     scene.origin = origin;
 }
 

@@ -23,6 +23,25 @@ void report_kind(FirstError& error, const TomlNode& node, const std::string& cal
 
 std::int32_t narrow(std::int64_t word) { return static_cast<std::int32_t>(word); }
 
+// read_number; `called()` makes the name, which only an error needs.
+template <class Called>
+std::int64_t number_of(const TomlNode& node, Called called, const NumberRange& range,
+                       FirstError& error) {
+    const auto [word, status] = fixed::parse_decimal(node.text, range.fraction, 64);
+    if (node.kind != Kind::number)
+        report_kind(error, node, called(), "write a number");
+    else if (status == DecimalStatus::bad_character)
+        report_kind(error, node, called(), "write a decimal, such as 2.5");
+    else if (range.fraction == 0 && node.text.find_first_of(".eE") != node.text.npos)
+        report_kind(error, node, called(), "write a whole number");
+    else if (status != DecimalStatus::ok || word < range.min || word > range.max)
+        report(error, node,
+               fmt::format("{} is {}; its range is {}", called(), node.text, print(range)));
+    else
+        return word;
+    return std::clamp<std::int64_t>(0, range.min, range.max);
+}
+
 }  // namespace
 
 void report(FirstError& error, const TomlNode& where, const std::string& what) {
@@ -31,30 +50,20 @@ void report(FirstError& error, const TomlNode& where, const std::string& what) {
 
 std::int64_t read_number(const TomlNode& node, const std::string& called,
                          const NumberRange& range, FirstError& error) {
-    const auto [word, status] = fixed::parse_decimal(node.text, range.fraction, 64);
-    if (node.kind != Kind::number)
-        report_kind(error, node, called, "write a number");
-    else if (status == DecimalStatus::bad_character)
-        report_kind(error, node, called, "write a decimal, such as 2.5");
-    else if (range.fraction == 0 && node.text.find_first_of(".eE") != node.text.npos)
-        report_kind(error, node, called, "write a whole number");
-    else if (status != DecimalStatus::ok || word < range.min || word > range.max)
-        report(error, node,
-               fmt::format("{} is {}; its range is {}", called, node.text, print(range)));
-    else
-        return word;
-    return std::clamp<std::int64_t>(0, range.min, range.max);
+    return number_of(node, [&] { return called; }, range, error);
 }
 
 raster::World read_point(const TomlNode& node, const std::string& called, const NumberRange& range,
                          FirstError& error) {
-    if (node.kind != Kind::array || node.children.size() != 3) {
+    TomlNode room;
+    const std::vector<TomlNode>& items = with_items(node, room).children;
+    if (node.kind != Kind::array || items.size() != 3) {
         report_kind(error, node, called, "write [x, y, z]");
         return {};
     }
     const auto word = [&](std::size_t axis) {
-        const std::string name = fmt::format("{} of {}", "xyz"[axis], called);
-        return narrow(read_number(node.children[axis], name, range, error));
+        const auto name = [&] { return fmt::format("{} of {}", "xyz"[axis], called); };
+        return narrow(number_of(items[axis], name, range, error));
     };
     return {word(0), word(1), word(2)};
 }

@@ -22,10 +22,12 @@
 namespace umbra78::tools {
 namespace {
 
-// The source by lines, for toml++'s places: lines and columns from 1, a column is a code point.
+// The text that toml++ was given, by lines, for its places: lines and columns from 1, a column is a
+// code point. Where arrays are emptied, their numbers are known by their line.
 class Source {
 public:
-    Source(std::string_view text, const std::string& name) : name_(name) {
+    Source(std::string_view text, const std::string& name, const std::vector<NumberArray>& arrays)
+        : name_(name), arrays_(arrays) {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
         for (std::size_t begin = 0; begin <= text.size();) {
@@ -37,6 +39,15 @@ public:
 
     std::string where(const toml::source_region& at) const {
         return fmt::format("{}:{}", name_, at.begin.line);
+    }
+
+    // What the array that begins there held, if it was emptied.
+    NumberArray numbers(const toml::source_region& at) const {
+        const int line = static_cast<int>(at.begin.line);
+        const auto found = std::lower_bound(
+            arrays_.begin(), arrays_.end(), line,
+            [](const NumberArray& array, int wanted) { return array.line < wanted; });
+        return found != arrays_.end() && found->line == line ? *found : NumberArray{};
     }
 
     // The text of a value that stands on one line.
@@ -57,7 +68,8 @@ private:
         return at;
     }
 
-    std::string name_;
+    const std::string& name_;
+    const std::vector<NumberArray>& arrays_;
     std::vector<std::string_view> lines_;
 };
 
@@ -75,8 +87,7 @@ bool stands_before(const toml::source_position& a, const toml::source_position& 
     return a.line != b.line ? a.line < b.line : a.column < b.column;
 }
 
-// Empties the arrays of `from` as it goes: a mesh of 60 000 patches has three million numbers, and
-// both trees at once would take a gigabyte.
+// Empties the tables and arrays of `from` as it goes, so that not both trees are there at once.
 TomlNode convert(toml::node& from, const Source& source) {
     using Kind = TomlNode::Kind;
     TomlNode node;
@@ -90,9 +101,12 @@ TomlNode convert(toml::node& from, const Source& source) {
         std::stable_sort(members.begin(), members.end(), [](const auto& a, const auto& b) {
             return stands_before(a.first, b.first);
         });
+        node.children.reserve(members.size());
         for (auto& member : members) node.children.push_back(std::move(member.second));
+        table->clear();
     } else if (toml::array* array = from.as_array()) {
         node.kind = Kind::array;
+        if (array->empty()) node.numbers = source.numbers(from.source());
         node.children.reserve(array->size());
         for (toml::node& item : *array) node.children.push_back(convert(item, source));
         array->clear();
@@ -109,6 +123,19 @@ TomlNode convert(toml::node& from, const Source& source) {
     return node;
 }
 
+// The items of an array whose '[' is taken, and its ']'.
+void read_items(ArrayTokens& tokens, std::string_view name, TomlNode& array) {
+    for (ArrayToken token = tokens.next(); token.kind != ArrayToken::Kind::close;
+         token = tokens.next()) {
+        const bool is_array = token.kind == ArrayToken::Kind::open;
+        TomlNode& item = array.children.emplace_back();
+        item.kind = is_array ? TomlNode::Kind::array : TomlNode::Kind::number;
+        item.where = fmt::format("{}:{}", name, token.line);
+        if (is_array) read_items(tokens, name, item);
+        else item.text = token.text;
+    }
+}
+
 void rename(TomlNode& node, const std::string& where) {
     node.where = where;
     for (TomlNode& child : node.children) rename(child, where);
@@ -120,42 +147,6 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// The line of the first byte that is not ASCII and stands neither in a text nor in a comment; 0 if
-// there is none. TOML has no such byte, and the parser's behaviour is undefined for some of them.
-int line_of_stray_byte(std::string_view text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    std::size_t k = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-    int line = 1;
-    char quote = 0;     // of the text that the place is in; '#' in a comment, 0 elsewhere
-    bool many = false;  // the text goes over lines
-    const auto three = [&](std::size_t at) {
-        return text.substr(at, 3) == std::string(3, text[at]);
-    };
-    for (; k < text.size(); ++k) {
-        const char c = text[k];
-        if (c == '\n') {
-            ++line;
-            if (!many) quote = 0;
-        } else if (quote == 0) {
-            if (static_cast<unsigned char>(c) >= 0x80) return line;
-            if (c != '#' && c != '"' && c != '\'') continue;
-            quote = c;
-            many = c != '#' && three(k);
-            if (many) k += 2;
-        } else if (c == '\\' && quote == '"') {
-            if (k + 1 < text.size() && text[k + 1] != '\n') ++k;
-        } else if (c == quote && c != '#' && (!many || three(k))) {
-            if (many) k += 2;
-            for (int more = 0; many && more < 2 && k + 1 < text.size() && text[k + 1] == quote;
-                 ++more)
-                ++k;  // quotes of the text itself, before the last three
-            quote = 0;
-            many = false;
-        }
-    }
-    return 0;
-}
-
 }  // namespace
 
 const TomlNode* TomlNode::find(std::string_view child) const {
@@ -164,14 +155,20 @@ const TomlNode* TomlNode::find(std::string_view child) const {
     return nullptr;
 }
 
-TomlNode parse_toml(std::string_view text, const std::string& name, FirstError& error) {
-    if (const int line = line_of_stray_byte(text); line > 0) {
-        error.report(fmt::format("{}:{}: this is not valid TOML: a character that is not ASCII "
-                                 "stands outside a text in quotes and a comment; remove it",
-                                 name, line));
+TomlNode parse_toml(std::string_view text, const std::string& name, FirstError& error,
+                    ArraysOfNumbers arrays) {
+    const TomlOutline outline = outline_of(text, arrays == ArraysOfNumbers::stay_text);
+    if (outline.stray_byte > 0) {
+        error.report(fmt::format(
+            "{}:{}: {}", name, outline.stray_byte,
+            outline.after_backslash
+                ? "a character that is not ASCII follows a backslash; write the text in one line"
+                : "this is not valid TOML: a character that is not ASCII stands outside a text in "
+                  "quotes and a comment; remove it"));
         return {.where = name};
     }
-    toml::parse_result parsed = toml::parse(text, name);
+    const std::string_view parsed_text = outline.arrays.empty() ? text : outline.emptied;
+    toml::parse_result parsed = toml::parse(parsed_text, name);
     if (parsed.failed()) {
         std::string what(parsed.error().description());
         std::replace(what.begin(), what.end(), '\n', ' ');
@@ -179,9 +176,23 @@ TomlNode parse_toml(std::string_view text, const std::string& name, FirstError& 
                                  parsed.error().source().begin.line, what));
         return {.where = name};
     }
-    TomlNode root = convert(parsed.table(), Source(text, name));
+    TomlNode root = convert(parsed.table(), Source(parsed_text, name, outline.arrays));
     root.where = name;
+    for (TomlNode& child : root.children) {
+        TomlNode room;
+        if (!child.numbers.text.empty()) child = with_items(child, room);
+    }
     return root;
+}
+
+const TomlNode& with_items(const TomlNode& array, TomlNode& room) {
+    if (array.numbers.text.empty()) return array;
+    const std::string_view name = std::string_view(array.where).substr(0, array.where.rfind(':'));
+    ArrayTokens tokens(array.numbers.text, array.numbers.line);
+    tokens.next();  // its '['
+    room = {.kind = TomlNode::Kind::array, .where = array.where, .key = array.key};
+    read_items(tokens, name, room);
+    return room;
 }
 
 TomlNode parse_override(const std::string& key_and_value, FirstError& error) {
@@ -219,7 +230,10 @@ TomlNode parse_override(const std::string& key_and_value, FirstError& error) {
 std::string describe(const TomlNode& node) {
     switch (node.kind) {
         case TomlNode::Kind::table: return "a table";
-        case TomlNode::Kind::array: return fmt::format("an array of {}", node.children.size());
+        case TomlNode::Kind::array: {
+            TomlNode room;
+            return fmt::format("an array of {}", with_items(node, room).children.size());
+        }
         case TomlNode::Kind::text: return fmt::format("the text '{}'", node.text);
         case TomlNode::Kind::number: return fmt::format("the number {}", node.text);
         default: return node.text;

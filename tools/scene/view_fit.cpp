@@ -46,6 +46,8 @@ bool greater(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
     return left.high != right.high ? left.high > right.high : left.low > right.low;
 }
 
+constexpr std::int32_t no_points_extent = std::int32_t{1} << raster::world_fraction;
+
 std::int32_t clamp_to_word(std::int64_t v) {
     constexpr std::int64_t max = std::numeric_limits<std::int32_t>::max();
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(v, 1, max));
@@ -53,39 +55,45 @@ std::int32_t clamp_to_word(std::int64_t v) {
 
 }  // namespace
 
-World box_centre(const Surfaces& surfaces) {
-    constexpr std::int32_t low = std::numeric_limits<std::int32_t>::min();
-    constexpr std::int32_t high = std::numeric_limits<std::int32_t>::max();
-    World min{high, high, high}, max{low, low, low};
-    surfaces.for_points([&](const World& p) {
-        min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
-        max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
-    });
-    if (min.x > max.x) return {};
-    const auto middle = [](std::int64_t a, std::int64_t b) {
-        return static_cast<std::int32_t>(fixed::round_shift(a + b, 1, Rounding::floor));
+std::int32_t fitted_extent(const raster::View& view, const raster::ViewRanges& ranges) {
+    if (ranges.right.min > ranges.right.max) return no_points_extent;
+    const auto reach = [&](const raster::Axis& axis, const raster::AxisRange& range) {
+        const std::int64_t target = raster::along(axis, view.target);
+        return std::max(std::abs(range.min - target), std::abs(range.max - target));
     };
-    return {middle(min.x, max.x), middle(min.y, max.y), middle(min.z, max.z)};
+    const std::int64_t side = std::max(reach(view.axes.right, ranges.right),
+                                       reach(view.axes.up, ranges.up));
+    return clamp_to_word(fixed::round_shift(side, 30, Rounding::ceiling));
+}
+
+PerspectiveFit::PerspectiveFit(const raster::View& view) : view_(view) {}
+
+void PerspectiveFit::add(const World& point) {
+    any_ = true;
+    const Place at = place(view_, point);
+    if (at.depth <= 0 || !greater(at.side, at.depth, side_, depth_)) return;
+    side_ = at.side;
+    depth_ = at.depth;
+}
+
+std::int32_t PerspectiveFit::extent() const {
+    if (!any_) return no_points_extent;
+    const bool too_wide = greater(side_, depth_, 4, 1);
+    const fixed::Rational slope = too_wide ? fixed::Rational(4) : fixed::Rational(side_, depth_);
+    std::int64_t extent = 0;
+    (slope * fixed::Rational(view_.distance)).round_scaled(0, Rounding::ceiling, extent);
+    return clamp_to_word(extent);
 }
 
 std::int32_t fitted_extent(const raster::View& view, const Surfaces& surfaces) {
-    if (surfaces.empty()) return std::int32_t{1} << raster::world_fraction;
-    if (view.projection == raster::Projection::orthographic) {
-        std::int64_t side = 0;
-        surfaces.for_points([&](const World& p) { side = std::max(side, place(view, p).side); });
-        return clamp_to_word(fixed::round_shift(side, from_world, Rounding::ceiling));
+    if (view.projection == raster::Projection::perspective) {
+        PerspectiveFit fit(view);
+        surfaces.for_points([&](const World& p) { fit.add(p); });
+        return fit.extent();
     }
-    Place steepest{0, 1};
-    surfaces.for_points([&](const World& p) {
-        const Place at = place(view, p);
-        if (at.depth > 0 && greater(at.side, at.depth, steepest.side, steepest.depth))
-            steepest = at;
-    });
-    if (greater(steepest.side, steepest.depth, 4, 1)) steepest = {4, 1};
-    std::int64_t extent = 0;
-    const fixed::Rational slope(steepest.side, steepest.depth);
-    (slope * fixed::Rational(view.distance)).round_scaled(0, Rounding::ceiling, extent);
-    return clamp_to_word(extent);
+    raster::ViewRanges ranges{view.axes};
+    surfaces.for_points([&](const World& p) { ranges.add(p); });
+    return fitted_extent(view, ranges);
 }
 
 Outside count_outside(const raster::View& view, const Surfaces& surfaces) {

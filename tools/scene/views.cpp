@@ -2,6 +2,7 @@
 
 #include "fixed/root.hpp"
 #include "tools/scene/table_reader.hpp"
+#include "tools/scene/view_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -31,13 +32,22 @@ void look_by_angles(const TableReader& in, View& view) {
     view.axes = raster::axes_from_angles(azimuth, elevation);
 }
 
+std::int32_t extent_of_all(const View& view, ScenePoints& points) {
+    if (view.projection == Projection::orthographic)
+        return fitted_extent(view, points.ranges(view.axes));
+    PerspectiveFit fit(view);
+    points.for_points([&](const raster::World& p) { fit.add(p); });
+    return fit.extent();
+}
+
 // The window and the depth range, as given or fitted. The view's other members are read.
-void fit(const TableReader& in, View& view, const Surfaces& surfaces) {
+void fit(const TableReader& in, View& view, ScenePoints& points) {
     view.extent = static_cast<std::int32_t>(in.number("extent", 0));
     if (in.error().any()) return;
-    if (view.extent == 0) view.extent = fitted_extent(view, surfaces);
-    raster::fit_depth(view, raster::depth_range(view, surfaces));
+    if (view.extent == 0) view.extent = extent_of_all(view, points);
     const bool perspective = view.projection == Projection::perspective;
+    if (!in.find("near") || !in.find("far"))
+        raster::fit_depth(view, raster::depth_range_of(view, points.ranges(view.axes).back));
     view.near_depth = in.number("near", view.near_depth, perspective);
     view.far_depth = in.number("far", view.far_depth, perspective);
     if (in.error().any() || view.near_depth < view.far_depth) return;
@@ -66,9 +76,9 @@ raster::World less(const raster::World& a, const raster::World& b) {
 }
 
 // A point as given, less the origin; left out, it is the middle of the scene.
-raster::World read_target(const TableReader& in, const Surfaces& surfaces,
+raster::World read_target(const TableReader& in, ScenePoints& points,
                           const raster::World& origin) {
-    return in.find("target") ? less(in.point("target", origin), origin) : box_centre(surfaces);
+    return in.find("target") ? less(in.point("target", origin), origin) : points.box().centre();
 }
 
 bool reaches(const raster::World& from, const raster::World& to) {
@@ -96,40 +106,54 @@ void look_from_position(const TableReader& in, View& view, const raster::World& 
 
 }  // namespace
 
-raster::World read_origin(const TomlNode& root, const Surfaces& surfaces, FirstError& error) {
+void expect_axes(const TomlNode& root, ScenePoints& points) {
+    const TomlNode none{.where = root.where};
+    FirstError later;
+    for (const char* name : {"observer", "light"}) {
+        const TomlNode* node = root.find(name);
+        const TableReader in(node ? *node : none, scene_table(name), later);
+        if (in.find("position") || (in.find("extent") && in.find("near") && in.find("far")))
+            continue;
+        View view;
+        look_by_angles(in, view);
+        points.expect(view.axes);
+    }
+}
+
+raster::World read_origin(const TomlNode& root, ScenePoints& points, FirstError& error) {
     const TomlNode none{.where = root.where};
     const TomlNode *observer = root.find("observer"), *light = root.find("light");
     const TableReader in(observer ? *observer : none, scene_table("observer"), error);
     if (in.choice("recentre") != 0) return {};
-    const raster::World origin = read_target(in, surfaces, {});
+    const raster::World origin = read_target(in, points, {});
     FirstError later;  // the light's errors are read_light()'s
     const TableReader of_light(light ? *light : none, scene_table("light"), later);
     bool holds = true;
     for (const char* key : {"target", "position"})
         holds = holds && reaches(of_light.point(key, origin), origin);
-    surfaces.for_points(
-        [&](const raster::World& point) { holds = holds && reaches(point, origin); });
+    const raster::Box& box = points.box();
+    if (!box.empty()) holds = holds && reaches(box.min, origin) && reaches(box.max, origin);
     return holds && !error.any() && !later.any() ? origin : raster::World{};
 }
 
-raster::View read_observer(const TomlNode& root, const Surfaces& surfaces,
+raster::View read_observer(const TomlNode& root, ScenePoints& points,
                            const raster::World& origin, FirstError& error) {
     const TomlNode none{.where = root.where};
     const TomlNode* node = root.find("observer");
     const TableReader in(node ? *node : none, scene_table("observer"), error);
     View view;
     view.projection = static_cast<Projection>(in.choice("projection"));
-    view.target = read_target(in, surfaces, origin);
+    view.target = read_target(in, points, origin);
     look_by_angles(in, view);
     if (view.projection == Projection::perspective)
         view.distance = static_cast<std::int32_t>(in.needed_number("distance"));
     else
         refuse(in, "distance", "projection", "perspective");
-    fit(in, view, surfaces);
+    fit(in, view, points);
     return view;
 }
 
-raster::View read_light(const TomlNode& root, const Surfaces& surfaces, const raster::World& origin,
+raster::View read_light(const TomlNode& root, ScenePoints& points, const raster::World& origin,
                         FirstError& error) {
     View view;
     const TomlNode* node = root.find("light");
@@ -138,7 +162,7 @@ raster::View read_light(const TomlNode& root, const Surfaces& surfaces, const ra
         return view;
     }
     const TableReader in(*node, scene_table("light"), error);
-    view.target = read_target(in, surfaces, origin);
+    view.target = read_target(in, points, origin);
     if (in.choice("kind") == 0) {
         refuse(in, "position", "kind", "point");
         in.need("azimuth");
@@ -149,7 +173,7 @@ raster::View read_light(const TomlNode& root, const Surfaces& surfaces, const ra
         view.projection = Projection::perspective;
         look_from_position(in, view, origin);
     }
-    fit(in, view, surfaces);
+    fit(in, view, points);
     return view;
 }
 

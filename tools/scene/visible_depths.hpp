@@ -11,6 +11,7 @@
 
 #include "tools/scene/view_fit.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace umbra78::tools {
@@ -23,6 +24,13 @@ struct CutDepths {
     double farthest = -std::numeric_limits<double>::infinity();
 
     bool any() const { return before + behind > 0; }
+    CutDepths& operator+=(const CutDepths& more) {
+        before += more.before;
+        behind += more.behind;
+        nearest = std::min(nearest, more.nearest);
+        farthest = std::max(farthest, more.farthest);
+        return *this;
+    }
 };
 
 CutDepths cut_depths(const raster::View&, const Surfaces&);

@@ -86,14 +86,17 @@ private:
     double half_, near_, far_;
 };
 
+// Of a stream, those that were noted when it was drawn.
 template <class Visit>
 void for_points(const LoadedScene& scene, Visit visit) {
     const std::size_t controls = 16 * scene.patches.size();
-    const std::size_t points = controls + scene.vertices.size();
+    const std::size_t held = controls + scene.vertices.size();
+    const std::size_t points = held + scene.sample.size();
     const std::size_t step = (points + max_points - 1) / max_points;
     for (std::size_t k = 0; k < points; k += step) {
         const raster::World& p = k < controls ? scene.patches[k / 16].control[k % 16]
-                                              : scene.vertices[k - controls];
+                                 : k < held   ? scene.vertices[k - controls]
+                                              : scene.sample[k - held];
         visit(Real4{q16(p.x), q16(p.y), q16(p.z), 1});
     }
 }
@@ -197,7 +200,11 @@ bool warn_of_order(const LoadedScene& scene, const View& view, const std::string
     const double steps = step / pixel(view, spec);
     if (steps <= 4) return false;
     View whole = view;
-    raster::fit_depth(whole, raster::depth_range(view, scene.surfaces()));
+    raster::AxisRange back;
+    scene.surfaces().for_points(
+        [&](const raster::World& p) { back.add(raster::along(view.axes.back, p)); });
+    for (const raster::World& p : scene.sample) back.add(raster::along(view.axes.back, p));
+    raster::fit_depth(whole, raster::depth_range_of(view, back));
     const bool as_fitted = whole.near_depth == view.near_depth && whole.far_depth == view.far_depth;
     warnings.push_back(
         {"depth_order", steps,

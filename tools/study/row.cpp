@@ -57,6 +57,10 @@ double Row::number(std::string_view column) const {
 
 std::string Row::text(std::string_view column) const { return print(at(column)); }
 
+bool is_of_host(std::string_view column) {
+    return column.ends_with("_host_ms") || column.ends_with("_host_mb");
+}
+
 std::string print(const Value& value) {
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
     if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);

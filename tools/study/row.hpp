@@ -21,6 +21,10 @@ using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 std::string print(const Value&);  // "" for no value
 
+// Whether a column holds what this computer took, which differs from run to run: a time
+// ("_host_ms") or its memory ("_host_mb").
+bool is_of_host(std::string_view column);
+
 // Columns in the order in which they were first set.
 class Row {
 public:

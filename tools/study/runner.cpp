@@ -135,7 +135,7 @@ Row run_case(const Asked& asked, std::size_t index, const Case& c) {
         row.set("status", std::string("ok"));
         const Row figures = asked.study->run(asked.request, c, scene ? &*scene : nullptr);
         for (const auto& [column, value] : figures.cells())
-            if (asked.request.host_times || !column.ends_with("_host_ms")) row.set(column, value);
+            if (asked.request.host_times || !is_of_host(column)) row.set(column, value);
     } catch (const std::bad_alloc&) {
         row.set("status", std::string("not enough memory"));
     } catch (const std::exception& error) {

@@ -5,7 +5,8 @@
 //
 // A case is made of nothing but its settings, so a row of the CSV can be run again alone, and a
 // study can be cut into shards, interrupted and resumed. Rows hold the same values on every
-// computer, except host times, whose columns end in "_host_ms" and can be left out.
+// computer, except host times and memory, whose columns end in "_host_ms" and "_host_mb" and can be
+// left out.
 //
 // A new study is a folder tools/study/NAME/, its room in CMakeLists.txt, and its two lines in
 // tools/cli/study_list.hpp and study_list.cpp.

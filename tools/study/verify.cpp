@@ -53,7 +53,7 @@ Case case_of(const Csv& csv, std::size_t row, const ordered_json& columns) {
 std::vector<std::string> compared_columns(const Csv& csv) {
     std::vector<std::string> columns;
     for (const std::string& column : csv.columns)
-        if (!column.ends_with("_host_ms")) columns.push_back(column);
+        if (!is_of_host(column)) columns.push_back(column);
     std::stable_partition(columns.begin(), columns.end(), [](const std::string& column) {
         return column.find("hash") != std::string::npos;
     });

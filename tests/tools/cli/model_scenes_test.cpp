@@ -34,7 +34,10 @@ TEST_F(ModelScenes, AMalformedModelIsOneLineAndLeavesNothing) {
         {"a.tea", "1\n1,2,3\n",
          "a.tea:3: the file ends in the list of patch 1 of 1; add the rest, or correct the counts"},
         {"a.stl", "solid\n",
-         "a.stl: the name ends like no model's; known: .bpt, .bez, .tea, .obj"},
+         "a.stl:2: the file ends in a solid; add the rest, or correct the counts"},
+        {"a.ply", "ply\n", "a.ply:1: the file ends in its header; add end_header and the data"},
+        {"a.off", "OFF\n",
+         "a.off: the name ends like no model's; known: .bpt, .bez, .tea, .obj, .stl, .ply"},
     };
     for (const auto& [file, text, message] : cases) {
         const Ran ran = render(file, text);

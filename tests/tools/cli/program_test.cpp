@@ -23,12 +23,12 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, trace, bands, study, model, settings, --help, --version; "
-                       "see umbra78 --help"},
+                       "animate, cycles, trace, bands, study, model, pack, settings, --help, "
+                       "--version; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, trace, bands, study, model, settings, --help, --version; "
-                      "see umbra78 --help"},
+                      "animate, cycles, trace, bands, study, model, pack, settings, --help, "
+                      "--version; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
@@ -39,7 +39,7 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
         {"render", "scene is required; see umbra78 render --help"},
         {"render a.toml b.toml",
          "unknown argument 'b.toml'; known here: --help, scene, --out, --buffers, --error, --set, "
-         "--no-truth, --json; see umbra78 render --help"},
+         "--no-truth, --spool, --json; see umbra78 render --help"},
         {"render a.toml --set", "--set: 1 required KEY=VALUE missing; see umbra78 render --help"},
         {"render a.toml --jsn", "unknown argument '--jsn'; did you mean '--json'?; see umbra78 "
                                 "render --help"},
@@ -166,10 +166,10 @@ TEST_F(Program, VersionIsTheProjects) {
 TEST_F(Program, StudyListsItselfAsJsonToo) {
     const json list = parse_json(run("study --json").out);
     const std::string text = run("study").out;
-    ASSERT_EQ(list.size(), 7u);
+    ASSERT_EQ(list.size(), 8u);
     for (const json& row : list)
         EXPECT_NE(text.find(row["study"].get<std::string>()), std::string::npos) << row;
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 8);
 }
 
 TEST_F(Program, RenderWritesThePictureAndTheBuffers) {

@@ -1,4 +1,6 @@
-// Damaged files: whatever a file holds, it is read, or refused in one line with file and line.
+// Damaged files: whatever a file holds, it is read, or refused in one line with file and line, or
+// the place in a binary file.
+#include "tests/tools/models/binary_texts.hpp"
 #include "tests/tools/models/model_texts.hpp"
 
 #include <random>
@@ -17,7 +19,20 @@ std::vector<std::pair<std::string, std::string>> whole_files() {
         spline.insert(at, "v ");
     spline += "cstype bspline\ndeg 3 3\nsurf 3 4 3 4 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16\n"
               "parm u 0 1 2 3 4 5 6 7\nparm v 0 1 2 3 4 5 6 7\nend\n";
-    return {{"a.bpt", "1\n3 3\n" + patch_points(1)}, {"a.bez", "BBP\n" + patch_points(2)},
+    const std::string stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                            "vertex 1 0 0\nvertex 0 1.5 0\nendloop\nendfacet\nendsolid a\n";
+    const std::string ply = "element vertex 4\nproperty float x\nproperty float y\n"
+                            "property float z\nelement face 1\n"
+                            "property list uchar uchar vertex_indices\nend_header\n";
+    const std::string ply_text = "ply\nformat ascii 1.0\n" + ply +
+                                 "0 0 0\n1 0 0\n1 1 0\n0 1 .5\n4 0 1 2 3\n";
+    std::string ply_bytes = "ply\nformat binary_big_endian 1.0\n" + ply;
+    for (const float v : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, .5f})
+        ply_bytes += bytes_of(v, true);
+    ply_bytes += std::string("\4\0\1\2\3", 5);
+    return {{"a.stl", stl}, {"b.stl", binary_stl({0, 0, 0, 1, 0, 0, 0, 1, 0})},
+            {"a.ply", ply_text}, {"b.ply", ply_bytes},
+            {"a.bpt", "1\n3 3\n" + patch_points(1)}, {"a.bez", "BBP\n" + patch_points(2)},
             {"a.tea", tea}, {"a.obj", obj}, {"b.obj", spline}};
 }
 
@@ -40,7 +55,7 @@ std::string damaged(std::string text, std::mt19937& random) {
 TEST(Damaged, FilesAreReadOrRefusedInOneLine) {
     constexpr unsigned seed = 1978;
     std::mt19937 random(seed);
-    const std::regex one_line("[ab]\\.(bpt|bez|tea|obj):[0-9]+: [ -~]+");
+    const std::regex one_line("[ab]\\.(bpt|bez|tea|obj|stl|ply)(:[0-9]+)?: [ -~]+");
     int refused = 0, read = 0;
     for (const auto& [name, text] : whole_files()) {
         ASSERT_EQ(read_model(text, name).error, "");

@@ -19,6 +19,12 @@ inline std::string patch_points(int k) {
     return text;
 }
 
+inline std::vector<std::array<std::uint32_t, 3>> facets_of(const ModelData& model) {
+    std::vector<std::array<std::uint32_t, 3>> facets;
+    for (const raster::Facet& facet : model.facets) facets.push_back(facet.vertex);
+    return facets;
+}
+
 inline std::string repeated(const std::string& text, int count) {
     std::string all;
     for (int k = 0; k < count; ++k) all += text;

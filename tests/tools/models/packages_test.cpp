@@ -135,5 +135,66 @@ TEST(Packages, AwkwardFilesOfAssimp) {
     }
 }
 
+TEST(Packages, StlAndPlyOfAssimp) {
+    const struct {
+        const char *name, *read_as;
+        std::size_t vertices, normals, facets, no_area;
+        const char* error;
+    } files[] = {
+        {"STL/Spider_ascii.stl", "a.stl", 722, 0, 1312, 56, ""},  // as many as in spider.obj
+        {"STL/Spider_binary.stl", "a.stl", 722, 0, 1312, 56, ""},
+        {"STL/Wuson.stl", "a.stl", 2117, 0, 3732, 0, ""},  // as in WusonOBJ.obj
+        {"STL/3DSMaxExport.STL", "a.stl", 1042, 0, 2000, 0, ""},
+        {"STL/sphereWithHole.stl", "a.stl", 146, 0, 285, 0, ""},
+        {"STL/triangle.stl", "a.stl", 3, 0, 1, 0, ""},
+        {"STL/triangle_with_empty_solid.stl", "a.stl", 3, 0, 1, 0, ""},
+        {"STL/triangle_with_two_solids.stl", "a.stl", 6, 0, 2, 0, ""},
+        {"STL/formatDetection", "a.stl", 3, 0, 1, 0, ""},
+        {"PLY/cube.ply", "a.ply", 8, 0, 12, 0, ""},
+        {"PLY/cube_binary.ply", "a.ply", 8, 0, 12, 0, ""},
+        {"PLY/cube_uv.ply", "a.ply", 24, 24, 12, 0, ""},
+        {"PLY/float-color.ply", "a.ply", 3, 0, 1, 0, ""},
+        {"PLY/Wuson.ply", "a.ply", 0, 0, 0, 0,
+         ":3: 'Created' begins no line of a PLY header; remove the line, or begin it with comment"},
+        {"PLY/issue623.ply", "a.ply", 0, 0, 0, 0,
+         ":12: the file holds no faces; a surface needs an element face with a list "
+         "vertex_indices"},
+        {"PLY/pond.0.ply", "a.ply", 0, 0, 0, 0,
+         ":14: the file holds no faces; a surface needs an element face with a list "
+         "vertex_indices"},
+        {"invalid/empty.ply", "a.ply", 0, 0, 0, 0,
+         ":1: the file does not begin with the line 'ply'; name another file"},
+    };
+    for (const auto& file : files) {
+        const auto text = packaged(std::string("assimp/models/") + file.name);
+        if (!text) GTEST_SKIP() << "without the package assimp-testmodels";
+        const ModelResult result = read_model(*text, file.read_as);
+        const std::string error = file.error;
+        EXPECT_EQ(result.error, error.empty() ? "" : file.read_as + error) << file.name;
+        if (!result.ok()) continue;
+        EXPECT_EQ(result.model.vertices.size(), file.vertices) << file.name;
+        EXPECT_EQ(result.model.normals.size(), file.normals) << file.name;
+        EXPECT_EQ(result.model.facets.size(), file.facets) << file.name;
+        EXPECT_EQ(result.model.no_area, file.no_area) << file.name;
+    }
+}
+
+// The same model as text of six decimals and as floats.
+TEST(Packages, TextAndBinaryOfAssimpAreTheSameModels) {
+    const char* pairs[][2] = {{"STL/Spider_ascii.stl", "STL/Spider_binary.stl"},
+                              {"PLY/cube.ply", "PLY/cube_binary.ply"}};
+    for (const auto& [text_name, binary_name] : pairs) {
+        const auto text = packaged(std::string("assimp/models/") + text_name);
+        const auto binary = packaged(std::string("assimp/models/") + binary_name);
+        if (!text || !binary) GTEST_SKIP() << "without the package assimp-testmodels";
+        const ModelData a = read_model(*text, text_name).model;
+        const ModelData b = read_model(*binary, binary_name).model;
+        ASSERT_EQ(a.vertices.size(), b.vertices.size()) << text_name;
+        for (std::size_t k = 0; k < a.vertices.size(); ++k)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(unit(a.vertices[k].word[axis]), unit(b.vertices[k].word[axis]), 1e-6);
+    }
+}
+
 }  // namespace
 }  // namespace umbra78::tools::test

@@ -7,6 +7,7 @@
 #include "tools/scene/scene.hpp"
 #include "tools/scene/scene_keys.hpp"
 #include "tools/scene/table_reader.hpp"
+#include "tools/stream/hills.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,7 +26,10 @@ std::string others_than(std::string_view table) {
 }
 
 std::string error_of_reading(const std::string& text) {
-    return read_scene(text, "a.toml", {}).error;
+    const auto streams = [](const std::string&) {
+        return OpenedStream{std::make_unique<Hills>(HillsShape{.patches = 1, .side = 2}), ""};
+    };
+    return read_scene(text, "a.toml", {}, {}, streams).error;
 }
 
 // The text of a table with all its needed keys, `key` given as `value` and written last.
@@ -57,7 +61,7 @@ TEST(SceneKeys, EveryRowIsRead) {
             ++rows;
         }
     }
-    EXPECT_EQ(rows, 63);
+    EXPECT_EQ(rows, 65);
 }
 
 std::string decimal(std::int64_t word, int fraction) {
@@ -100,7 +104,7 @@ TEST(SceneKeys, EveryNumberIsHeldToItsRange) {
             }
         }
     }
-    EXPECT_EQ(ranges, 2 * 23);
+    EXPECT_EQ(ranges, 2 * 24);
 }
 
 TEST(SceneKeys, ADefaultIsWhatAKeyLeftOutIs) {

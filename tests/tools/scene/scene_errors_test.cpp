@@ -40,7 +40,8 @@ TEST(SceneErrors, TheWholeScene) {
          "a.toml:1: unknown key 'ligth' in the scene; did you mean 'light'?"},
         {"title = \"a\"\n",
          "a.toml:1: unknown key 'title' in the scene; known here: observer, light, "
-         "material, sphere, plane, patch, torus, cylinder, cone, box, triangle, model, settings"},
+         "material, sphere, plane, patch, torus, cylinder, cone, box, triangle, model, "
+         "stream, settings"},
         {"light = 3\n",
          "a.toml:1: [light] is the number 3; write [light] and its keys below it"},
         {"[[light]]\nazimuth = 1\n",
@@ -137,8 +138,11 @@ TEST(SceneErrors, ACharacterThatIsNotAsciiStandsInTextsAndCommentsAlone) {
     const std::string light = "[light]\nazimuth = 5\n";
     for (const char* text : {"x = 0.0000152\xCD\xAD", "\xCD\xAD = 1", "x = \"\" \xCD\xAD",
                              "x = 'a' \xCE\xA9", "x = \"\"\"a\"\"\"\" \xCD\xAD",
-                             "x = \"\\\"\" \xCD\xAD"})
+                             "x = \"\\\"\" \xCD\xAD", "x = 1\"\xCD\xAD\""})
         EXPECT_EQ(error(light + text), "a.toml:3" + stray) << text;
+    for (const char* text : {"x = \"\"\"a\\\n \xCC\xAB\"\"\"", "x = \"\"\"\n\\\xCC\xAB\"\"\""})
+        EXPECT_EQ(error(light + text), "a.toml:4: a character that is not ASCII follows a "
+                                       "backslash; write the text in one line") << text;
     const std::string named = light + "[[material]] # \xCE\xA9\nname = ";
     for (const char* name : {"\"\xCE\xA9\"", "'\xCD\xAD'", "\"\\\" \xCE\xA9\"",
                              "\"\"\"\xCE\xA9 \"\" \n\xCE\xA9\"\"\"", "'''\xCE\xA9'''"})

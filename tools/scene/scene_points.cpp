@@ -1,0 +1,90 @@
+#include "tools/scene/scene_points.hpp"
+
+#include <algorithm>
+
+namespace umbra78::tools {
+namespace {
+
+bool same(const raster::ViewAxes& a, const raster::ViewAxes& b) {
+    return a.right == b.right && a.up == b.up && a.back == b.back;
+}
+
+// Words of places less the origin; what leaves a word is reported where a place is read.
+raster::World less(const raster::World& p, const raster::World& origin) {
+    const auto word = [](std::int64_t v) {
+        return static_cast<std::int32_t>(std::clamp<std::int64_t>(v, INT32_MIN, INT32_MAX));
+    };
+    return {word(std::int64_t{p.x} - origin.x), word(std::int64_t{p.y} - origin.y),
+            word(std::int64_t{p.z} - origin.z)};
+}
+
+}  // namespace
+
+void ScenePoints::promise(std::uint32_t largest) {
+    const auto reach = static_cast<std::int32_t>(largest);
+    box_.add({-reach, -reach, -reach});
+    box_.add({reach, reach, reach});
+    held_.for_points([&](const raster::World& p) { box_.add(p); });
+    promised_ = true;
+}
+
+bool ScenePoints::rewind() {
+    if (error_->any()) return false;
+    if (!stream_->can_rewind()) {
+        error_->report(
+            "standard input cannot be read twice, so its scene needs stream.largest, and target, "
+            "extent, near and far of the observer and of the light; give them all, or --spool");
+        return false;
+    }
+    ++passes_;
+    return stream_->rewind();
+}
+
+void ScenePoints::measure() {
+    raster::Box box;
+    for (raster::ViewRanges& r : ranges_) r = {r.axes};
+    for_points([&](const raster::World& p) {
+        box.add(p);
+        for (raster::ViewRanges& r : ranges_) r.add(p);
+    });
+    if (!promised_) box_ = box;
+    measured_ = true;
+}
+
+const raster::Box& ScenePoints::box() {
+    if (!measured_ && !promised_) measure();
+    return box_;
+}
+
+const raster::ViewRanges& ScenePoints::ranges(const raster::ViewAxes& axes) {
+    auto found = std::ranges::find_if(
+        ranges_, [&](const raster::ViewRanges& r) { return same(r.axes, axes); });
+    if (found == ranges_.end()) {
+        ranges_.push_back({axes});
+        found = ranges_.end() - 1;
+        measured_ = false;
+    }
+    if (!measured_) measure();
+    return *found;
+}
+
+void ScenePoints::take_origin(const raster::World& origin, const raster::Surfaces& held) {
+    held_ = held;
+    if (origin == raster::World{}) return;
+    if (!box_.empty()) {
+        box_.min = less(box_.min, origin);
+        box_.max = less(box_.max, origin);
+    }
+    for (raster::ViewRanges& r : ranges_) {
+        const auto move = [&](raster::AxisRange& range, const raster::Axis& axis) {
+            if (range.min > range.max) return;
+            range.min -= raster::along(axis, origin);
+            range.max -= raster::along(axis, origin);
+        };
+        move(r.right, r.axes.right);
+        move(r.up, r.axes.up);
+        move(r.back, r.axes.back);
+    }
+}
+
+}  // namespace umbra78::tools
