@@ -26,7 +26,7 @@ constexpr std::uint64_t max_hills = std::uint64_t{1} << 32;
 
 std::uint64_t pack_hills(const PackOptions& options) {
     if (options.hills > max_hills || options.layers < 1 || options.layers > options.hills)
-        throw std::runtime_error("--hills takes 1 .. 2^32 patches, and --layers 1 .. as many");
+        throw std::runtime_error("--hills takes 1 to 2^32 patches, and --layers 1 to as many");
     Hills hills({.patches = options.hills, .layers = options.layers});
     PackedWriter writer(options.out, hills.materials(), hills.count());
     raster::Surfaces batch;
@@ -49,9 +49,12 @@ std::uint64_t pack_scene(const PackOptions& options) {
 
 void pack(const PackOptions& options) {
     const bool of_hills = options.hills > 0;
-    if (of_hills != options.scene.empty())
-        throw std::runtime_error(of_hills ? "give a scene or --hills, and not both"
-                                          : "give a scene, or --hills N");
+    if (of_hills && !options.scene.empty())
+        throw std::runtime_error("give a scene or --hills, and not both");
+    if (!of_hills && options.scene.empty())
+        throw std::runtime_error("give a scene, or --hills N with N from 1 up");
+    if (!of_hills && options.layers != 1)
+        throw std::runtime_error("--layers is of --hills; give --hills N, or leave --layers out");
     const std::uint64_t written = of_hills ? pack_hills(options) : pack_scene(options);
     if (options.json)
         fmt::print("{}", print(nlohmann::ordered_json{{"file", options.out},
@@ -68,7 +71,7 @@ void add_pack_command(CLI::App& app, int&) {
                     "Write surfaces in the packed form, which is read as it is drawn (.u78p)");
     command.input("scene", options->scene, "SCENE",
                   "The scene file whose surfaces are packed; its views and settings are not");
-    command.output("--out", options->out, ".u78p", "The packed file; - is standard output")
+    command.output("--out", options->out, ".u78p", "The packed file")
         .required();
     command.number("--hills", options->hills, "N",
                    "In place of a scene: hills of N patches, on a square of 64 by 64 units");

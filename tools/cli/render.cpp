@@ -60,7 +60,7 @@ struct Rendered {
 private:
     void draw_stream() {
         StreamWatch watch(scene);
-        job.render_stream(watch, [&] { return scene.stream->error(); });
+        job.render_stream(watch, *scene.stream);
         patches = watch.patches();
         triangles = watch.triangles();
         scene.sample = watch.sample();
@@ -201,8 +201,8 @@ void add_render_command(CLI::App& app, int&) {
               "Do not compute the exact truth and the errors against it")
         .excludes(error_file);
     command.flag("--spool", options->spool,
-                 "Copy a [stream] that cannot be read twice, such as standard input, to a "
-                 "temporary file first");
+                 "Copy a [stream] that cannot be read twice, such as a pipe, to a temporary file "
+                 "in TMPDIR first");
     command.json(options->json);
     command.footer([] {
         return settings_help() +

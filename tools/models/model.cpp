@@ -44,7 +44,8 @@ ModelResult read_model(std::string_view text, const std::string& name) {
     });
     if (format == std::end(formats))
         error.report(name + ": the name ends like no model's; known: .bpt, .bez, .tea, .obj, "
-                            ".stl, .ply");
+                            ".stl, .ply" +
+                     (lower.ends_with(".u78p") ? "; a packed file stands in [stream]" : ""));
     else
         format->read(text, result.model, error);
     result.error = error.line();

@@ -49,10 +49,11 @@ Warnings frame_warnings(const LoadedScene& scene, const RenderJob& job,
     warn_of_blocks(job.counts().lights[0].map.unresolved, "light", "cast no shadow", warnings);
     const std::vector<std::uint8_t> visible = job.visible();
     const bool nothing = std::count(visible.begin(), visible.end(), 1) == 0;
-    if (scene.stream && nothing) {
+    const bool drawn = job.counts().observer.patches + job.counts().observer.facets > 0;
+    if (scene.stream && drawn && nothing) {
         warnings.push_back({"nothing_visible", 0,
-                            "0 pixels show a surface: the stream is empty, beside the picture or "
-                            "smaller than a pixel; leave observer.extent and observer.target out"});
+                            "0 pixels show a surface: the stream is beside the picture or smaller "
+                            "than a pixel; set observer.extent and observer.target"});
     } else if (!scene.surfaces().empty() && nothing) {
         raster::View whole = scene.observer;
         whole.extent = fitted_extent(whole, scene.surfaces());

@@ -107,8 +107,7 @@ void RenderJob::render() {
     filter_and_composite();
 }
 
-void RenderJob::render_stream(raster::PrimitiveSource& source,
-                              const std::function<std::string()>& why) {
+void RenderJob::render_stream(raster::PrimitiveSource& source, const PrimitiveStream& stream) {
     auto status = shadow::StreamStatus::ok;
     times_.stream_ms = timed_ms([&] {
         status = std::visit(
@@ -117,13 +116,13 @@ void RenderJob::render_stream(raster::PrimitiveSource& source,
     });
     switch (status) {
         case shadow::StreamStatus::ok: return;
-        case shadow::StreamStatus::source_failed: throw SceneError(why());
+        case shadow::StreamStatus::source_failed: throw SceneError(stream.error());
         case shadow::StreamStatus::cannot_rewind:
-            throw SceneError("the stream cannot be read twice, and the correct form reads it "
-                             "twice; give --spool, or --set form=post_process");
+            throw SceneError(fmt::format("{} cannot be read twice, as the correct form does; give "
+                                         "--spool, or --set form=post_process", stream.name()));
         case shadow::StreamStatus::beyond_largest:
-            throw SceneError("a coordinate of the stream is greater than stream.largest; raise it, "
-                             "or leave it out");
+            throw SceneError(fmt::format("{}: a coordinate is beyond stream.largest; raise it, or "
+                                         "leave it out", stream.name()));
     }
 }
 

@@ -11,13 +11,12 @@
 #include "shadow/frame/frame.hpp"
 #include "shadow/frame/ledger.hpp"
 #include "tools/io/buffers.hpp"
+#include "tools/stream/stream.hpp"
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <new>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -72,9 +71,9 @@ public:
     void cast_shadows();
     void filter_and_composite();
     void render();  // all of them, in order
-    // All of them for a scene that is streamed, from this source. Throws SceneError, and the frame
-    // is not whole, if it cannot be read to its end; `why` then says why.
-    void render_stream(raster::PrimitiveSource&, const std::function<std::string()>& why);
+    // All of them for a scene that is streamed, from this source, which is `stream` or draws from
+    // it. Throws SceneError, and the frame is not whole, if it cannot be read to its end.
+    void render_stream(raster::PrimitiveSource&, const PrimitiveStream& stream);
 
     const shadow::FrameInputs& inputs() const { return inputs_; }
     const shadow::Settings& settings() const { return inputs_.settings; }

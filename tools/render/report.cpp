@@ -96,7 +96,12 @@ ordered_json to_json(const BiasReport& bias) {
     return {{"quanta", bias.quanta}, {"texels", bias.texels}, {"world", bias.world}};
 }
 
+// Of a stream the stages are not timed apart.
 ordered_json to_json(const StageTimes& times) {
+    if (times.stream_ms > 0)
+        return {{"matrices", times.matrices_ms},
+                {"stream", times.stream_ms},
+                {"total", times.total_ms()}};
     return {{"matrices", times.matrices_ms},
             {"light", times.light_ms},
             {"observer", times.observer_ms},

@@ -162,15 +162,15 @@ Warnings warnings_of_stream(const LoadedScene& scene, const StreamSeen& seen) {
         warnings.push_back(
             {"light_window", static_cast<double>(seen.light.window),
              fmt::format("{} of {} primitives reach out of the light's picture {}; raise "
-                         "light.extent, or leave it out",
+                         "light.extent",
                          seen.light.window, all, loses_shadow)});
     warn_of_cut(scene, scene.light, seen.light_cut, all, "light", loses_shadow, false, warnings);
     warn_of_cut(scene, scene.observer, seen.observer_cut, all, "observer", loses_sight, false,
                 warnings);
     if (all > 0 && seen.observer.window == all && !seen.observer_cut.any())
         warnings.push_back({"observer_window", static_cast<double>(all),
-                            "every surface reaches out of the picture; raise observer.extent, or "
-                            "leave it out"});
+                            "every surface reaches out of the picture; raise "
+                            "observer.extent"});
     for (Warning& warning : warnings) warning.line.insert(0, scene.name + ": ");
     return warnings;
 }

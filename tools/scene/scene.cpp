@@ -18,10 +18,12 @@ ScenePoints read_stream(const TomlNode& node, const StreamSource& streams, Loade
     ScenePoints points(scene.surfaces(), nullptr, error);
     const std::string path = in.needed_text("file");
     const std::int64_t largest = in.number("largest", 0);
+    if (!error.any() && path.empty())
+        in.report(in.need("file"), in.called("file") + " is empty; give a path, or \"-\"");
     if (error.any()) return points;
     if (!streams) {
-        in.report(node, "a scene with a [stream] is drawn by umbra78 render alone; put the "
-                        "surfaces into [[model]] files for this command");
+        in.report(node, "a scene with a [stream] is drawn by umbra78 render alone; give this "
+                        "command the scene that the file was packed from");
         return points;
     }
     OpenedStream opened = streams(path);
@@ -38,7 +40,10 @@ ScenePoints read_stream(const TomlNode& node, const StreamSource& streams, Loade
     scene.stream->number_materials_from(static_cast<std::uint16_t>(scene.materials.size()));
     scene.materials.insert(scene.materials.end(), materials.begin(), materials.end());
     points = ScenePoints(scene.surfaces(), scene.stream.get(), error);
-    if (largest > 0) points.promise(static_cast<std::uint32_t>(largest));
+    if (largest > 0) {
+        points.promise(static_cast<std::int32_t>(largest));
+        scene.stream->limit(static_cast<std::int32_t>(largest));
+    }
     return points;
 }
 
@@ -56,6 +61,7 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
     ScenePoints points(scene.surfaces(), nullptr, error);
     if (const TomlNode* stream = root.find("stream"))
         points = read_stream(*stream, streams, scene, error);
+    points.lacks(keys_left_out(root));
     expect_axes(root, points);
     take_origin(read_origin(root, points, error), scene);
     points.take_origin(scene.origin, scene.surfaces());
@@ -63,7 +69,7 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
     if (error.any()) return;
     scene.light = read_light(root, points, scene.origin, error);
     if (error.any()) return;
-    scene.largest = points.box().largest();
+    scene.largest = points.reach().largest();
     const bool perspective = scene.observer.projection == raster::Projection::perspective ||
                              scene.light.projection == raster::Projection::perspective;
     scene.settings = read_settings(root.find("settings"), set, perspective, error);

@@ -199,7 +199,9 @@ constexpr SceneKey stream_keys[] = {
      .meaning = "a packed file, its path from the scene's folder; \"-\" is standard input"},
     {.key = "largest", .kind = number, .unit = world_units, .range = length_range,
      .left_out = "found by a pass over the file",
-     .meaning = "no coordinate of the stream is farther from 0; it decides the object words"},
+     .meaning = "no coordinate of the stream is farther from 0. It decides the format of the "
+                "object words in place of the stream's own largest coordinate: the bits are the "
+                "same up to the next power of two, and beyond it a step of all places is coarser"},
 };
 
 constexpr SceneTable tables[] = {
@@ -218,7 +220,9 @@ constexpr SceneTable tables[] = {
     {"triangle", true, "A triangle, seen from both sides.", triangle_keys},
     {"model", true, "Surfaces from a file: .bpt, .bez, .tea, .obj, .stl or .ply.", model_keys},
     {"stream", false,
-     "Any number of patches and triangles, read as they are drawn and never held (umbra78 pack).",
+     "Any number of patches and triangles, read as they are drawn and never held. They come after "
+     "the scene's other surfaces and bring their own materials. `umbra78 pack` writes such a file, "
+     "`umbra78 render` alone reads it, and tools/stream/packed.hpp is its format.",
      stream_keys},
 };
 constexpr auto names = [] {

@@ -1,5 +1,7 @@
 #include "tools/scene/scene_points.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace umbra78::tools {
@@ -20,20 +22,17 @@ raster::World less(const raster::World& p, const raster::World& origin) {
 
 }  // namespace
 
-void ScenePoints::promise(std::uint32_t largest) {
-    const auto reach = static_cast<std::int32_t>(largest);
-    box_.add({-reach, -reach, -reach});
-    box_.add({reach, reach, reach});
-    held_.for_points([&](const raster::World& p) { box_.add(p); });
-    promised_ = true;
+void ScenePoints::promise(std::int32_t largest) {
+    promised_.add({-largest, -largest, -largest});
+    promised_.add({largest, largest, largest});
+    held_.for_points([&](const raster::World& p) { promised_.add(p); });
 }
 
 bool ScenePoints::rewind() {
     if (error_->any()) return false;
     if (!stream_->can_rewind()) {
-        error_->report(
-            "standard input cannot be read twice, so its scene needs stream.largest, and target, "
-            "extent, near and far of the observer and of the light; give them all, or --spool");
+        error_->report(fmt::format("{} cannot be read twice, so the scene needs {}; give all of "
+                                   "them, or --spool", stream_->name(), lacks_));
         return false;
     }
     ++passes_;
@@ -47,14 +46,16 @@ void ScenePoints::measure() {
         box.add(p);
         for (raster::ViewRanges& r : ranges_) r.add(p);
     });
-    if (!promised_) box_ = box;
+    box_ = box;
     measured_ = true;
 }
 
 const raster::Box& ScenePoints::box() {
-    if (!measured_ && !promised_) measure();
+    if (!measured_) measure();
     return box_;
 }
+
+const raster::Box& ScenePoints::reach() { return promised_.empty() ? box() : promised_; }
 
 const raster::ViewRanges& ScenePoints::ranges(const raster::ViewAxes& axes) {
     auto found = std::ranges::find_if(
@@ -71,9 +72,10 @@ const raster::ViewRanges& ScenePoints::ranges(const raster::ViewAxes& axes) {
 void ScenePoints::take_origin(const raster::World& origin, const raster::Surfaces& held) {
     held_ = held;
     if (origin == raster::World{}) return;
-    if (!box_.empty()) {
-        box_.min = less(box_.min, origin);
-        box_.max = less(box_.max, origin);
+    for (raster::Box* box : {&box_, &promised_}) {
+        if (box->empty()) continue;
+        box->min = less(box->min, origin);
+        box->max = less(box->max, origin);
     }
     for (raster::ViewRanges& r : ranges_) {
         const auto move = [&](raster::AxisRange& range, const raster::Axis& axis) {

@@ -9,6 +9,8 @@
 #include "tools/io/first_error.hpp"
 #include "tools/stream/stream.hpp"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace umbra78::tools {
@@ -19,13 +21,17 @@ public:
     ScenePoints(const raster::Surfaces& held, PrimitiveStream* stream, FirstError& error)
         : held_(held), stream_(stream), error_(&error) {}
 
-    // The points of a stream lie within `largest` of the origin, in each coordinate: their box is
-    // taken to be that, and not looked for.
-    void promise(std::uint32_t largest);
+    // The coordinates of a stream lie within `largest` of 0, so that the reach need not be looked
+    // for.
+    void promise(std::int32_t largest);
+    // What a stream that cannot be read twice lacks: for the error.
+    void lacks(std::string keys) { lacks_ = std::move(keys); }
     // Before the first pass: axes whose ranges will be asked for.
     void expect(const raster::ViewAxes& axes) { ranges_.push_back({axes}); }
 
     const raster::Box& box();
+    // A box that holds all points: the promised one, if there is one.
+    const raster::Box& reach();
     const raster::ViewRanges& ranges(const raster::ViewAxes&);
     template <class Visit>
     void for_points(Visit&& visit);
@@ -41,9 +47,10 @@ private:
     raster::Surfaces held_;
     PrimitiveStream* stream_;
     FirstError* error_;
-    raster::Box box_;
+    raster::Box box_, promised_;
     std::vector<raster::ViewRanges> ranges_;
-    bool measured_ = false, promised_ = false;
+    std::string lacks_;
+    bool measured_ = false;
     int passes_ = 0;
 };
 

@@ -106,6 +106,19 @@ void look_from_position(const TableReader& in, View& view, const raster::World& 
 
 }  // namespace
 
+std::string keys_left_out(const TomlNode& root) {
+    std::string keys;
+    const auto need = [&](const char* table, const char* key) {
+        const TomlNode* node = root.find(table);
+        if (node && node->find(key)) return;
+        keys += fmt::format("{}{}.{}", keys.empty() ? "" : ", ", table, key);
+    };
+    need("stream", "largest");
+    for (const char* table : {"observer", "light"})
+        for (const char* key : {"target", "extent", "near", "far"}) need(table, key);
+    return keys;
+}
+
 void expect_axes(const TomlNode& root, ScenePoints& points) {
     const TomlNode none{.where = root.where};
     FirstError later;
@@ -131,7 +144,7 @@ raster::World read_origin(const TomlNode& root, ScenePoints& points, FirstError&
     bool holds = true;
     for (const char* key : {"target", "position"})
         holds = holds && reaches(of_light.point(key, origin), origin);
-    const raster::Box& box = points.box();
+    const raster::Box& box = points.reach();
     if (!box.empty()) holds = holds && reaches(box.min, origin) && reaches(box.max, origin);
     return holds && !error.any() && !later.any() ? origin : raster::World{};
 }

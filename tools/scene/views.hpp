@@ -7,6 +7,9 @@
 
 namespace umbra78::tools {
 
+// The keys that a scene lacks whose stream is read once: "stream.largest, light.far".
+std::string keys_left_out(const TomlNode& root);
+
 // Tells the points which axes the views will have, as far as these are given by angles. What is
 // wrong in them is reported later.
 void expect_axes(const TomlNode& root, ScenePoints&);

@@ -29,6 +29,7 @@ public:
     std::span<const raster::Material> materials() const override { return material_; }
     std::uint64_t count() const override { return shape_.patches; }
     bool can_rewind() const override { return true; }
+    std::string_view name() const override { return "hills"; }
     const std::string& error() const override { return no_error_; }
     std::uint64_t hash() const override { return 0; }  // made anew each time, always the same
 

@@ -2,15 +2,12 @@
 #include "tools/stream/packed.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -64,6 +61,7 @@ public:
     std::span<const raster::Material> materials() const override { return materials_; }
     std::uint64_t count() const override { return count_; }
     bool can_rewind() const override { return can_rewind_; }
+    std::string_view name() const override { return name_; }
     const std::string& error() const override { return error_; }
     std::uint64_t hash() const override { return hash_; }
 
@@ -73,6 +71,7 @@ public:
         begun_ = true;
         ended_ = false;
         read_ = sum_ = 0;
+        bytes_ = header_size_;
         return true;
     }
 
@@ -86,8 +85,9 @@ public:
         records = words.take<std::uint32_t>();
         if (kind == 0) return end(records);
         if (kind > 2 || records == 0 || records > max_packed_records)
-            return fail(fmt::format("a block of kind {} with {} records is none of a packed file",
-                                    kind, records));
+            return fail(fmt::format("after {} primitives: a block has kind 1 or 2 and 1 .. {} "
+                                    "records, or kind 0; this one has kind {} and {} records",
+                                    read_, max_packed_records, kind, records));
         clear();
         if (!(kind == 1 ? get_patches(records) : get_triangles(records))) return Next::failed;
         batch = {patches_, {vertices_, normals_, facets_}};
@@ -97,19 +97,29 @@ public:
 private:
     Next fail(const std::string& what) {
         if (error_.empty())
-            error_ = fmt::format("{}: after {} primitives: {}; write it again, with umbra78 pack",
-                                 name_, read_, what);
+            error_ = fmt::format("{}: {}; write it again, with umbra78 pack or as "
+                                 "tools/stream/packed.hpp says", name_, what);
         return Next::failed;
+    }
+    // Of the primitive that is being read, numbered from 0.
+    bool fail_at(const std::string& what) {
+        fail(fmt::format("primitive {} {}", read_, what));
+        return false;
     }
 
     // The next bytes into the block's memory; false and an error if there are not so many.
     bool get(std::size_t bytes) {
         block_.resize(bytes);
-        if (std::fread(block_.data(), 1, bytes, file_.get()) == bytes) return true;
+        const std::size_t got = std::fread(block_.data(), 1, bytes, file_.get());
+        bytes_ += got;
+        if (got == bytes) return true;
         if (std::ferror(file_.get()))
-            fail(std::generic_category().message(errno));
+            error_ = fmt::format("cannot read {}: {}; give a packed file, or the pipe of one",
+                                 name_, std::generic_category().message(errno));
+        else if (bytes_ == 0)
+            error_ = fmt::format("{} is empty; give a packed file, or the pipe of one", name_);
         else
-            fail("the file ends before its last block");
+            fail(fmt::format("it ends at byte {}, before its end block", bytes_));
         return false;
     }
 
@@ -123,22 +133,30 @@ private:
         count_ = words.take<std::uint64_t>();
         const auto materials = words.take<std::uint32_t>();
         if (materials == 0 || materials > UINT16_MAX) {
-            fail(fmt::format("it has {} materials, and 1 .. 65535 are possible", materials));
+            fail(fmt::format("it has {} materials, if its numbers are little-endian, and 1 .. "
+                             "65535 are possible", materials));
             return;
         }
         if (!get(materials * material_bytes)) return;
         words = Words(block_.data());
-        for (std::uint32_t k = 0; k < materials; ++k) {
-            raster::Material m;
-            m.diffuse = words.take<std::int32_t>();
-            m.specular = words.take<std::int32_t>();
-            m.shininess = words.take<std::int32_t>();
-            const auto level = [](std::int32_t v) { return v >= 0 && v <= 255; };
-            if (!level(m.diffuse) || !level(m.specular) || m.shininess < 0 || m.shininess > 8)
-                fail(fmt::format("material {} is out of its ranges", k));
-            materials_.push_back(m);
-        }
+        for (std::uint32_t k = 0; k < materials; ++k) materials_.push_back(take_material(words, k));
+        header_size_ = bytes_;
         data_at_ = can_rewind_ ? std::ftell(file_.get()) : 0;
+    }
+
+    raster::Material take_material(Words& words, std::uint32_t number) {
+        const auto level = [&](const char* name, std::int32_t max) {
+            const auto v = words.take<std::int32_t>();
+            if (v < 0 || v > max)
+                fail(fmt::format("{} of material {} is {}, and 0 .. {} are possible", name, number,
+                                 v, max));
+            return v;
+        };
+        raster::Material m;
+        m.diffuse = level("diffuse", 255);
+        m.specular = level("specular", 255);
+        m.shininess = level("shininess", 8);
+        return m;
     }
 
     void clear() {
@@ -148,29 +166,35 @@ private:
         facets_.clear();
     }
 
-    // A place less the origin; false and an error if it leaves the world before or after.
+    // A place less the origin; false and an error if it leaves the limits, or then the words.
     bool take_place(Words& words, raster::World& out) {
         std::array<std::int64_t, 3> v{};
         const std::array<std::int64_t, 3> origin{origin_.x, origin_.y, origin_.z};
         for (std::size_t k = 0; k < 3; ++k) {
             const auto word = words.take<std::int32_t>();
             v[k] = word - origin[k];
-            if (word < -max_place || word > max_place || v[k] < INT32_MIN || v[k] > INT32_MAX) {
-                fail(fmt::format("primitive {} leaves the world, -32767 .. 32767", read_));
-                return false;
-            }
+            if (word < -largest_ || word > largest_ || v[k] < INT32_MIN || v[k] > INT32_MAX)
+                return fail_beyond(word);
         }
         out = {static_cast<std::int32_t>(v[0]), static_cast<std::int32_t>(v[1]),
                static_cast<std::int32_t>(v[2])};
         return true;
     }
 
-    bool take_material(std::uint32_t number, std::uint16_t& out) {
-        if (number >= materials_.size()) {
-            fail(fmt::format("primitive {} names material {} of {}", read_, number,
-                             materials_.size()));
-            return false;
-        }
+    bool fail_beyond(std::int32_t word) {
+        const double place = std::ldexp(word, -raster::world_fraction);
+        if (word >= -max_place && word <= max_place && largest_ < max_place)
+            error_ = fmt::format("{}: primitive {} has the coordinate {:.6g}, beyond "
+                                 "stream.largest = {:.6g}; raise it", name_, read_, place,
+                                 std::ldexp(largest_, -raster::world_fraction));
+        return fail_at(fmt::format("has the coordinate {:.6g}, out of the world, -32767 .. 32767",
+                                   place));
+    }
+
+    bool take_number(std::uint32_t number, std::uint16_t& out) {
+        if (number >= materials_.size())
+            return fail_at(fmt::format("names material {}, and there are {}, numbered from 0",
+                                       number, materials_.size()));
         out = static_cast<std::uint16_t>(number + first_material_);
         return true;
     }
@@ -188,7 +212,7 @@ private:
             raster::Patch& patch = patches_.emplace_back();
             for (raster::World& p : patch.control)
                 if (!take_place(words, p)) return false;
-            if (!take_material(words.take<std::uint32_t>(), patch.material)) return false;
+            if (!take_number(words.take<std::uint32_t>(), patch.material)) return false;
             note(record);
         }
         return true;
@@ -205,7 +229,7 @@ private:
                 if (!take_place(words, vertices_.emplace_back())) return false;
             }
             if (!take_normals(words, facet)) return false;
-            if (!take_material(words.take<std::uint16_t>(), facet.material)) return false;
+            if (!take_number(words.take<std::uint16_t>(), facet.material)) return false;
             facets_.push_back(facet);
             note(record);
         }
@@ -221,10 +245,7 @@ private:
             unit = unit && is_unit(n);
         }
         if (flat) return true;
-        if (!unit) {
-            fail(fmt::format("triangle {} has a normal that is no unit vector in Q1.14", read_));
-            return false;
-        }
+        if (!unit) return fail_at("has a normal that is no unit vector in Q1.14");
         for (std::size_t c = 0; c < 3; ++c) {
             facet.normal[c] = static_cast<std::uint32_t>(normals_.size());
             normals_.push_back(normal[c]);
@@ -235,7 +256,9 @@ private:
     Next end(std::uint32_t records) {
         if (records != 0) return fail("its end block has records");
         if (count_ != unknown_count && read_ != count_)
-            return fail(fmt::format("the file says that it holds {}", count_));
+            return fail(fmt::format("it holds {} primitives, and says that it holds {}", read_,
+                                    count_));
+        if (std::fgetc(file_.get()) != EOF) return fail("something follows its end block");
         if (known_ && sum_ != hash_) return fail("it changed between two passes over it");
         ended_ = known_ = true;
         hash_ = sum_;
@@ -246,6 +269,7 @@ private:
     std::string name_, error_;
     bool can_rewind_, begun_ = false, ended_ = false, known_ = false;
     long data_at_ = 0;
+    std::uint64_t bytes_ = 0, header_size_ = 0;  // read of this pass
     std::uint64_t count_ = 0, read_ = 0, sum_ = 0, hash_ = 0;
     std::vector<unsigned char> block_;
     std::vector<raster::Material> materials_;
@@ -255,64 +279,13 @@ private:
     std::vector<raster::Facet> facets_;
 };
 
-// A temporary file without a name, which ends with its handle.
-File temporary_file() {
-    std::error_code error;
-    std::string name = (std::filesystem::temp_directory_path(error) / "umbra78-XXXXXX").string();
-    const int file = ::mkstemp(name.data());
-    if (file < 0) return {nullptr, std::fclose};
-    ::unlink(name.c_str());
-    return {::fdopen(file, "w+b"), std::fclose};
-}
-
-File spooled(std::FILE* from, std::string& error) {
-    File to = temporary_file();
-    std::array<char, 1 << 16> block;
-    while (to) {
-        const std::size_t got = std::fread(block.data(), 1, block.size(), from);
-        if (got == 0 && !std::ferror(from) && std::fflush(to.get()) == 0 &&
-            std::fseek(to.get(), 0, SEEK_SET) == 0)
-            return to;
-        if (got == 0 || std::fwrite(block.data(), 1, got, to.get()) != got) break;
-    }
-    error = std::generic_category().message(errno);
-    return {nullptr, std::fclose};
-}
-
-int keep_open(std::FILE*) { return 0; }
-
-OpenedStream opened(File file, const std::string& name, bool can_rewind) {
-    auto stream = std::make_unique<PackedReader>(std::move(file), name, can_rewind);
-    if (!stream->error().empty()) return {nullptr, stream->error()};
-    return {std::move(stream), ""};
-}
-
 }  // namespace
 
 OpenedStream open_packed(std::FILE* file, const std::string& name, bool can_rewind) {
-    return opened(File(file, std::fclose), name, can_rewind);
-}
-
-OpenedStream open_packed(const std::string& path, bool spool) {
-    const bool standard_input = path == "-";
-    const std::string name = standard_input ? "standard input" : path;
-    const auto refuse = [&](const std::string& why, const char* remedy) {
-        return OpenedStream{nullptr, fmt::format("cannot read {}: {}; {}", name, why, remedy)};
-    };
-    File file = standard_input ? File(stdin, keep_open)
-                               : File(std::fopen(path.c_str(), "rb"), std::fclose);
-    struct stat its {};
-    if (!file || ::fstat(::fileno(file.get()), &its) != 0)
-        return refuse(std::generic_category().message(errno), "give the path of a packed file");
-    if (S_ISDIR(its.st_mode)) return refuse("it is a folder", "give the path of a packed file");
-    bool can_rewind = S_ISREG(its.st_mode);
-    if (!can_rewind && spool) {
-        std::string error;
-        file = spooled(file.get(), error);
-        if (!file) return refuse("its copy: " + error, "set TMPDIR to a place with room for it");
-        can_rewind = true;
-    }
-    return opened(std::move(file), name, can_rewind);
+    auto stream =
+        std::make_unique<PackedReader>(File(file, std::fclose), name, can_rewind);
+    if (!stream->error().empty()) return {nullptr, stream->error()};
+    return {std::move(stream), ""};
 }
 
 }  // namespace umbra78::tools

@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace umbra78::tools {
 
@@ -23,6 +24,7 @@ public:
     // How many primitives there are; unknown_count if whoever writes them does not say.
     virtual std::uint64_t count() const = 0;
     virtual bool can_rewind() const = 0;
+    virtual std::string_view name() const = 0;  // for messages: a path, "standard input"
     // One line after Next::failed: where, what is wrong, the remedy.
     virtual const std::string& error() const = 0;
     // The sum of the primitives' hashes, known once all have been read. It does not depend on their
@@ -33,8 +35,11 @@ public:
     void number_materials_from(std::uint16_t first) { first_material_ = first; }
     // What is taken from the places of the next batches.
     void take_origin(const raster::World& origin) { origin_ = origin; }
+    // A coordinate, as it is read, that is farther from 0 is an error: stream.largest of a scene.
+    void limit(std::int32_t largest) { largest_ = largest; }
 
 protected:
+    std::int32_t largest_ = 32767 << raster::world_fraction;
     std::uint16_t first_material_ = 0;
     raster::World origin_{};
 };

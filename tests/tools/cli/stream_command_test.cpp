@@ -54,9 +54,17 @@ TEST_F(Program, APipeIsDrawnAsItComes) {
     const Ran once = run("pack --hills 300 --out - 2> note | " UMBRA78_PROGRAM
                          " render spooled.toml");
     EXPECT_EQ(once.exit_code, 1);
-    EXPECT_EQ(once.err, "umbra78: standard input cannot be read twice, so its scene needs "
-                        "stream.largest, and target, extent, near and far of the observer and of "
-                        "the light; give them all, or --spool\n");
+    EXPECT_EQ(once.err, "umbra78: standard input cannot be read twice, so the scene needs "
+                        "stream.largest, observer.target, observer.extent, observer.near, "
+                        "observer.far, light.target, light.extent, light.near, light.far; give "
+                        "all of them, or --spool\n");
+    EXPECT_EQ(run("render " + hills + " <&-").err,
+              "umbra78: " + hills + ":25: 'file' in [stream]: cannot read standard input: Bad file "
+              "descriptor; give a packed file, or the pipe of one\n");
+    EXPECT_EQ(run("pack --hills 3 --out - 2> note | TMPDIR=/missing " UMBRA78_PROGRAM
+                  " render spooled.toml --spool").err,
+              "umbra78: spooled.toml:11: 'file' in [stream]: cannot read standard input: its copy "
+              "in /missing: No such file or directory; set TMPDIR to a folder with room for it\n");
     const Ran spooled = run("pack --hills 300 --out - 2> note | " UMBRA78_PROGRAM
                             " render spooled.toml --spool --json");
     EXPECT_EQ(rendered(spooled)["patches"], 300);
@@ -78,7 +86,7 @@ TEST_F(Program, WhatAStreamLosesIsWarnedOf) {
     const Ran lost = run("render lost.toml");
     EXPECT_EQ(lost.exit_code, 0);
     EXPECT_NE(lost.err.find("of 50 primitives reach out of the light's picture and may cast no "
-                            "shadow; raise light.extent, or leave it out"), std::string::npos)
+                            "shadow; raise light.extent"), std::string::npos)
         << lost.err;
     EXPECT_NE(lost.err.find("of 50 primitives are in the light's window from depth"),
               std::string::npos)
@@ -94,20 +102,22 @@ TEST_F(Program, WhatIsWrongWithAStreamIsOneLine) {
     const struct {
         std::string arguments, message;
     } cases[] = {
-        {"pack --out b.u78p", "give a scene, or --hills N"},
+        {"pack --out b.u78p", "give a scene, or --hills N with N from 1 up"},
+        {"pack held.toml --layers 2 --out b.u78p",
+         "--layers is of --hills; give --hills N, or leave --layers out"},
         {"pack held.toml --hills 3 --out b.u78p", "give a scene or --hills, and not both"},
         {"pack --hills 3 --layers 4 --out b.u78p",
-         "--hills takes 1 .. 2^32 patches, and --layers 1 .. as many"},
+         "--hills takes 1 to 2^32 patches, and --layers 1 to as many"},
         {"pack stream.toml --out b.u78p",
-         "stream.toml:10: a scene with a [stream] is drawn by umbra78 render alone; put the "
-         "surfaces into [[model]] files for this command"},
+         "stream.toml:10: a scene with a [stream] is drawn by umbra78 render alone; give this "
+         "command the scene that the file was packed from"},
         {"plan stream.toml",
-         "stream.toml:10: a scene with a [stream] is drawn by umbra78 render alone; put the "
-         "surfaces into [[model]] files for this command"},
+         "stream.toml:10: a scene with a [stream] is drawn by umbra78 render alone; give this "
+         "command the scene that the file was packed from"},
         {"render stream.toml --error e.png",
          "--error e.png: stream.toml has no exact truth: a stream: its primitives are not held"},
-        {"render small.toml", "a coordinate of the stream is greater than stream.largest; raise "
-                              "it, or leave it out"},
+        {"render small.toml",
+         "a.u78p: primitive 32 has the coordinate -3, beyond stream.largest = 2; raise it"},
         {"render stream.toml --out a.u78p",
          "cannot write 'a.u78p': it would not be a .u78p file: .png is the only format; name it "
          "'a.png'"},
@@ -122,8 +132,8 @@ TEST_F(Program, WhatIsWrongWithAStreamIsOneLine) {
     }
     write("a.u78p", whole.substr(0, 3000));
     EXPECT_EQ(run("render stream.toml").err,
-              "umbra78: a.u78p: after 0 primitives: the file ends before its last block; write it "
-              "again, with umbra78 pack\n");
+              "umbra78: a.u78p: it ends at byte 3000, before its end block; write it again, with "
+              "umbra78 pack or as tools/stream/packed.hpp says\n");
     EXPECT_EQ(content(folder / "a.u78p"), whole.substr(0, 3000));
 }
 

@@ -19,6 +19,7 @@ public:
     std::span<const raster::Material> materials() const override { return materials_; }
     std::uint64_t count() const override { return patches_.size(); }
     bool can_rewind() const override { return can_rewind_; }
+    std::string_view name() const override { return "a.u78p"; }
     const std::string& error() const override { return error_; }
     std::uint64_t hash() const override { return 0; }
     bool rewind() override {
@@ -124,12 +125,36 @@ TEST(StreamScene, PassesOverTheFile) {
 }
 
 TEST(StreamScene, WhatCannotBeReadTwiceNeedsItsViews) {
-    const std::string needs = "standard input cannot be read twice, so its scene needs "
-                              "stream.largest, and target, extent, near and far of the observer "
-                              "and of the light; give them all, or --spool";
-    EXPECT_EQ(streamed(orthographic, false).result.error, needs);
-    EXPECT_EQ(streamed(given, false).result.error, needs);
-    EXPECT_TRUE(streamed(given, false, "largest = 12\n").result.ok());
+    const auto needs = [](const std::string& keys) {
+        return "a.u78p cannot be read twice, so the scene needs " + keys +
+               "; give all of them, or --spool";
+    };
+    EXPECT_EQ(streamed(orthographic, false).result.error,
+              needs("stream.largest, observer.target, observer.extent, observer.near, "
+                    "observer.far, light.target, light.extent, light.near, light.far"));
+    EXPECT_EQ(streamed(given, false).result.error, needs("stream.largest"));
+    const std::string largest = "largest = 12\n";
+    for (const std::string key : {"target = [1, 0, 0]\n", "extent = 12\n", "far = 20\n"}) {
+        std::string views = given;
+        views.erase(views.rfind(key), key.size());
+        const std::string table = key == "target = [1, 0, 0]\n" ? "observer." : "light.";
+        EXPECT_EQ(streamed(views, false, largest).result.error,
+                  needs(table + key.substr(0, key.find(' '))));
+    }
+    EXPECT_TRUE(streamed(given, false, largest).result.ok());
+}
+
+// What is promised decides the words; what is fitted is fitted to the points.
+TEST(StreamScene, ALargestCoordinateMovesNoView) {
+    for (std::string views : {given, orthographic, perspective}) {
+        if (views == given) views.erase(views.find("target = [1, 0, 0]\n"), 19);
+        const Opened plain = streamed(views);
+        const Opened promised = streamed(views, true, "largest = 15.5\n");
+        ASSERT_TRUE(plain.result.ok() && promised.result.ok()) << promised.result.error;
+        expect_same_view(plain.result.scene.observer, promised.result.scene.observer);
+        expect_same_view(plain.result.scene.light, promised.result.scene.light);
+        EXPECT_LT(plain.result.scene.largest, promised.result.scene.largest);
+    }
 }
 
 TEST(StreamScene, OwnSurfacesComeFirst) {
@@ -145,11 +170,13 @@ TEST(StreamScene, OwnSurfacesComeFirst) {
 
 TEST(StreamScene, ErrorsAreLines) {
     EXPECT_EQ(read_scene(given + "[stream]\nfile = \"a.u78p\"\n", "a.toml", {}).error,
-              "a.toml:13: a scene with a [stream] is drawn by umbra78 render alone; put the "
-              "surfaces into [[model]] files for this command");
+              "a.toml:13: a scene with a [stream] is drawn by umbra78 render alone; give this "
+              "command the scene that the file was packed from");
     const auto refuse = [](const std::string&) { return OpenedStream{nullptr, "it is torn"}; };
     EXPECT_EQ(read_scene(given + "[stream]\nfile = \"a.u78p\"\n", "a.toml", {}, {}, refuse).error,
               "a.toml:14: 'file' in [stream]: it is torn");
+    EXPECT_EQ(read_scene(given + "[stream]\nfile = \"\"\n", "a.toml", {}, {}, refuse).error,
+              "a.toml:14: 'file' in [stream] is empty; give a path, or \"-\"");
     EXPECT_EQ(read_scene(given + "[stream]\nlargest = 3\n", "a.toml", {}, {}, refuse).error,
               "a.toml:13: [stream] has no 'file'; add file = \"hills.u78p\"");
 }

@@ -137,7 +137,23 @@ TEST_F(Packed, TakesTheOriginAndRaisesMaterials) {
     Next next = Next::batch;
     while (next == Next::batch) next = opened.stream->next(batch);
     EXPECT_EQ(next, Next::failed);
-    EXPECT_NE(opened.stream->error().find("leaves the world"), std::string::npos);
+    EXPECT_NE(opened.stream->error().find("primitive 2500 has the coordinate -32767"),
+              std::string::npos)
+        << opened.stream->error();
+}
+
+TEST_F(Packed, HoldsPlacesToItsLimit) {
+    written();
+    for (const std::int32_t largest : {2147418112, 2147418111}) {
+        const OpenedStream opened = open_packed(path.string(), false);
+        ASSERT_TRUE(opened.stream);
+        opened.stream->limit(largest);
+        raster::Surfaces batch;
+        ASSERT_TRUE(opened.stream->rewind());
+        Next next = Next::batch;
+        while (next == Next::batch) next = opened.stream->next(batch);
+        EXPECT_EQ(next, largest == 2147418112 ? Next::end : Next::failed);
+    }
 }
 
 TEST_F(Packed, WhatIsDamagedIsNamed) {
@@ -151,28 +167,36 @@ TEST_F(Packed, WhatIsDamagedIsNamed) {
     const struct {
         std::string content, error;
     } cases[] = {
-        {"", "after 0 primitives: the file ends before its last block"},
-        {"v 0 0 0\nv 1 0 0\nf 1 2 3\n", "it is not a packed file; make one with umbra78 pack"},
-        {whole.substr(0, 30), "the file ends before its last block"},
-        {whole.substr(0, 1000), "after 0 primitives: the file ends before its last block"},
-        {whole.substr(0, last), "after 2502 primitives: the file ends before its last block"},
-        {with(8, "\x01"), "after 2502 primitives: the file says that it holds 2305"},
-        {with(16, zero), "it has 0 materials, and 1 .. 65535 are possible"},
-        {with(16, huge), "it has 2147483647 materials, and 1 .. 65535 are possible"},
-        {with(20, huge), "material 0 is out of its ranges"},
-        {with(first, huge), "a block of kind 2147483647 with 1024 records is none of a packed"},
-        {with(first + 4, zero), "a block of kind 1 with 0 records is none of a packed file"},
-        {with(first + 4, huge), "a block of kind 1 with 2147483647 records is none of a packed"},
-        {with(first + 8, huge), "primitive 0 leaves the world, -32767 .. 32767"},
-        {with(first + 8 + 192, huge), "primitive 0 names material 2147483647 of 2"},
-        {with(triangles + 8 + 54, "\x02"), "primitive 2500 names material 2 of 2"},
-        {with(triangles + 8 + 56 + 36, "\x01\x01"), "triangle 2501 has a normal that is no unit"},
-        {with(last + 4, "\x01"), "its end block has records"},
+        {"", " is empty; give a packed file, or the pipe of one"},
+        {"v 0 0 0\nv 1 0 0\nf 1 2 3\n", ": it is not a packed file; make one with umbra78 pack"},
+        {whole.substr(0, 30), ": it ends at byte 30, before its end block"},
+        {whole.substr(0, 1000), ": it ends at byte 1000, before its end block"},
+        {whole.substr(0, last), ": it ends at byte 490188, before its end block"},
+        {whole + "more", ": something follows its end block"},
+        {whole + whole, ": something follows its end block"},
+        {with(8, "\x01"), ": it holds 2502 primitives, and says that it holds 2305"},
+        {with(16, zero), ": it has 0 materials, if its numbers are little-endian, and 1 .. 65535 "
+                         "are possible"},
+        {with(16, huge), ": it has 2147483647 materials, if its numbers are little-endian, and"},
+        {with(20, huge), ": diffuse of material 0 is 2147483647, and 0 .. 255 are possible"},
+        {with(28, "\x09"), ": shininess of material 0 is 9, and 0 .. 8 are possible"},
+        {with(first, huge), ": after 0 primitives: a block has kind 1 or 2 and 1 .. 1024 "
+                            "records, or kind 0; this one has kind 2147483647 and 1024 records"},
+        {with(first + 4, zero), "this one has kind 1 and 0 records"},
+        {with(first + 4, huge), "this one has kind 1 and 2147483647 records"},
+        {with(first + 8, huge), ": primitive 0 has the coordinate 32768, out of the world"},
+        {with(first + 8 + 192, huge),
+         ": primitive 0 names material 2147483647, and there are 2, numbered from 0"},
+        {with(triangles + 8 + 54, "\x02"),
+         ": primitive 2500 names material 2, and there are 2, numbered from 0"},
+        {with(triangles + 8 + 56 + 36, "\x01\x01"),
+         ": primitive 2501 has a normal that is no unit vector in Q1.14"},
+        {with(last + 4, "\x01"), ": its end block has records"},
     };
     for (const auto& c : cases) {
         const std::string error = error_of(c.content);
         EXPECT_NE(error.find(c.error), std::string::npos) << error << "\nexpected " << c.error;
-        EXPECT_TRUE(error.starts_with(path.string() + ": ")) << error;
+        EXPECT_TRUE(error.starts_with(path.string())) << error;
         EXPECT_EQ(error.find('\n'), std::string::npos);
     }
     EXPECT_EQ(error_of(whole), "");
