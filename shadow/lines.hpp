@@ -16,13 +16,18 @@ class LineSet {
 public:
     static constexpr int max_lines = 4096;
 
-    // Of a frame of `size` lines, none of them in the set. A frame of more lines than any machine
-    // has is refused by the pass over it.
+    // Of a frame of `size` lines, none of them in the set.
     explicit LineSet(int size = 0) : size_(std::clamp(size, 0, max_lines)) {}
     static LineSet all(int size) {
         LineSet set(size);
         for (int y = 0; y < set.size(); ++y) set.add(y);
         return set;
+    }
+
+    // All lines of a frame of 2^xy_bits; of none for bits that no machine has, which the pass over
+    // such a frame refuses.
+    static LineSet of_frame(int xy_bits) {
+        return all(xy_bits < 0 || (1 << std::min(xy_bits, 30)) > max_lines ? 0 : 1 << xy_bits);
     }
 
     int size() const { return size_; }

@@ -53,7 +53,7 @@ std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
                          EdgeMemory memory, std::span<std::uint8_t> out) {
     return dequantize<Depth>(mask, observer, background, passes, memory, out,
-                             LineSet::all(observer.size_px()));
+                             LineSet::of_frame(observer.xy_bits));
 }
 
 }  // namespace umbra78::shadow

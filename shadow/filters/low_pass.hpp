@@ -22,7 +22,7 @@ void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>
 template <class Depth>
 void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
               Depth background, std::span<std::uint8_t> out) {
-    low_pass<Depth>(mask, observer, background, out, LineSet::all(observer.size_px()));
+    low_pass<Depth>(mask, observer, background, out, LineSet::of_frame(observer.xy_bits));
 }
 
 // The kernel, in sixteenths: the weight of the pixel at (dx, dy) from the centre, each -1 .. 1.

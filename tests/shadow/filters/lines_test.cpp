@@ -59,6 +59,12 @@ std::vector<std::uint8_t> random_mask(Random& random, int size) {
     return mask;
 }
 
+TEST(Lines, AFrameThatNoMachineHasHasNone) {
+    EXPECT_EQ(LineSet::of_frame(4).count(), 16u);
+    EXPECT_EQ(LineSet::of_frame(12).count(), 4096u);
+    for (const int bits : {-1, 13, 31, 40, 1 << 30}) EXPECT_EQ(LineSet::of_frame(bits).size(), 0);
+}
+
 TEST(FilteredLines, AreTheWholeFrames) {
     Random random;
     int lines = 0, all = 0;
