@@ -1,5 +1,6 @@
 // The frame store: a Z plane, an intensity plane and a plane of the light's direct share, of
-// 2^xy_bits x 2^xy_bits words each.
+// 2^xy_bits x 2^xy_bits words each. A coloured store has an intensity plane for each channel, and
+// a store of several lights a direct plane for each light in each channel, one after the other.
 //
 // Row 0 is the top of the picture; word y 2^xy_bits + x holds pixel (x, y). The Z code is
 // unsigned, 0 at the near plane; all ones is the background, and the code of what is drawn is
@@ -35,8 +36,8 @@ struct FrameStore {
 
     int xy_bits = 0;
     std::span<Depth> depth;            // size_px^2 words
-    std::span<Intensity> intensity{};  // size_px^2 words, or empty in the light's view
-    std::span<Intensity> direct{};     // how much of it the light gives; as large as `intensity`
+    std::span<Intensity> intensity{};  // a plane a channel, or empty in the light's view
+    std::span<Intensity> direct{};     // how much of it each light gives: its planes by channel
 
     int size_px() const { return 1 << xy_bits; }
     std::size_t address(int x, int y) const {
@@ -47,12 +48,13 @@ struct FrameStore {
     constexpr bool fits(const MachineSpec& spec) const {
         const auto words = std::size_t{1} << (2 * spec.xy_bits);
         return xy_bits == spec.xy_bits && spec.z_bits <= 8 * static_cast<int>(sizeof(Depth)) &&
-               depth.size() == words && (intensity.empty() || intensity.size() == words) &&
-               (direct.empty() || direct.size() == words);
+               depth.size() == words && intensity.size() % words == 0 &&
+               direct.size() % words == 0;
     }
     // Whether it can keep what a shaded sample has.
     constexpr bool shades() const {
-        return intensity.size() == depth.size() && direct.size() == depth.size();
+        return !depth.empty() && !intensity.empty() && intensity.size() % depth.size() == 0 &&
+               !direct.empty() && direct.size() % intensity.size() == 0;
     }
 
     void clear(const MachineSpec& spec)

@@ -37,6 +37,15 @@ constexpr Operations shaded_sample(int shininess) {
     const auto n = static_cast<std::uint64_t>(shininess);
     return {40 + n, 34 + n, 18 + 12 + 12 + 4 + n, 3, 30 + 2 * 15, 2};
 }
+// A further source: N.l and l.v (six products), r, its powers, the sum and the level; a quotient;
+// its direct share written.
+constexpr Operations shaded_source(int shininess) {
+    const auto n = static_cast<std::uint64_t>(shininess);
+    return {11 + n, 12 + n, 16 + n, 1, 15, 1};
+}
+// A further channel: an intensity, and for each source a sum and a level.
+inline constexpr Operations channel{1, 1, 1, 0, 0, 1};
+inline constexpr Operations channel_source{4, 4, 6, 0, 0, 1};
 inline constexpr std::uint64_t divided_corner_bits = 31;  // X, Y and Z of each corner
 
 // A triangle begins: three edges' crossings and steps, the area, Z and its steps in X and Y.
@@ -55,10 +64,23 @@ inline constexpr std::uint64_t facet_quotients = 9;  // in perspective: X, Y and
 
 }  // namespace cost
 
+// What a shaded sample takes: the max exponent of a highlight, the sources, the channels.
+struct SampleCost {
+    int shininess = 0;
+    std::size_t sources = 1, channels = 1;
+
+    hw::Operations operations() const {
+        hw::Operations o = cost::shaded_sample(shininess);
+        o += (sources - 1) * cost::shaded_source(shininess);
+        o += (channels - 1) * (cost::channel + sources * cost::channel_source);
+        return o;
+    }
+};
+
 // The operations of a drawing with these counts, in which nothing was left out as hidden.
 inline hw::Operations drawing_operations(const DrawCounts& counts, const MachineSpec& spec,
                                          bool affine, Sampling sampling, bool shades,
-                                         int shininess) {
+                                         const SampleCost& sample) {
     using hw::Operations;
     constexpr std::uint64_t leaves_a_block = std::uint64_t{leaves} * leaves;
     constexpr std::uint64_t corners_a_block = std::uint64_t{corners} * corners;
@@ -92,7 +114,7 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
     if (shades)
         o += 4 * counts.blocks * cost::corner_normal + counts.facets * cost::facet_normal +
              counts.facet_samples * cost::corner_weights +
-             counts.samples * cost::shaded_sample(shininess);
+             counts.samples * sample.operations();
     return o;
 }
 

@@ -143,22 +143,25 @@ const UnitVector& FacetShading::side() const {
     return side_;
 }
 
-Shade FacetShading::shade(const Sample& s, bool in_shadow) const {
-    UnitVector light = spec_.light.direction, viewer = spec_.viewer.direction;
+Shades FacetShading::shade(const Sample& s, Shadowed shadowed) const {
+    const std::span sources = std::span(spec_.sources).first(spec_.source_count);
+    bool to_points = spec_.viewer.to_point;
+    for (const ShadingSource& source : sources) to_points = to_points || source.toward.to_point;
     Weights t{1024, 0, 0};
     const auto& v = triangle_.vertex;
-    if (!flat_ || spec_.light.to_point || spec_.viewer.to_point) t = weights(s);
-    if (spec_.light.to_point || spec_.viewer.to_point) {
-        const WideVector place = weighted(t, v[0]->world, v[1]->world, v[2]->world);
-        light = direction(spec_.light, place);
-        viewer = direction(spec_.viewer, place);
-    }
+    if (!flat_ || to_points) t = weights(s);
+    WideVector place{};
+    if (to_points) place = weighted(t, v[0]->world, v[1]->world, v[2]->world);
+    const UnitVector viewer = direction(spec_.viewer, place);
     const WideVector own = wide(side());
     WideVector n = flat_ ? own : weighted(t, v[0]->normal, v[1]->normal, v[2]->normal);
     // The normal is turned to the facet's side that the viewer sees.
     if ((dot(n, own) < 0) != (dot(own, wide(viewer)) < 0))
         for (std::int64_t& k : n) k = -k;
-    return raster::shade(cosines(n, light, viewer), spec_, material_, in_shadow);
+    BySource<Cosines> all;
+    for (std::size_t l = 0; l < sources.size(); ++l)
+        all[l] = cosines(n, direction(sources[l].toward, place), viewer);
+    return raster::shade(std::span(all).first(sources.size()), spec_, material_, shadowed);
 }
 
 FacetWalk::FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,

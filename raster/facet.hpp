@@ -60,8 +60,8 @@ public:
                  const ShadingSpec& spec, const Material& material)
         : triangle_(triangle), facet_(facet), flat_(flat), spec_(spec), material_(material) {}
 
-    // At a covered pixel's centre, lit or in the shadow of something else.
-    Shade shade(const Sample& s, bool in_shadow) const;
+    // At a covered pixel's centre.
+    Shades shade(const Sample& s, Shadowed shadowed) const;
 
 private:
     using Weights = std::array<std::int64_t, 3>;  // of 1024

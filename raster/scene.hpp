@@ -5,6 +5,8 @@
 // A patch's control point (i, j) is control[4 j + i], i along u, j along v.
 #pragma once
 
+#include "hw/features.hpp"
+
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -22,11 +24,31 @@ struct World {
     constexpr bool operator==(const World&) const = default;
 };
 
-// Levels are counts of the 8-bit intensity plane.
+// The channels of a coloured frame; a grey one has the first alone.
+inline constexpr std::size_t max_channels = hw::built(hw::Feature::lights) ? 3 : 1;
+
+// A level for each channel: red, green, blue.
+class Levels {
+public:
+    constexpr Levels(std::int32_t grey) : levels_{grey, grey, grey} {}
+    constexpr Levels(std::int32_t red, std::int32_t green, std::int32_t blue)
+        : levels_{red, green, blue} {}
+    constexpr std::int32_t operator[](std::size_t channel) const { return levels_[channel]; }
+    constexpr bool is_grey() const {
+        return levels_[0] == levels_[1] && levels_[0] == levels_[2];
+    }
+    constexpr bool operator==(const Levels&) const = default;
+
+private:
+    std::array<std::int32_t, 3> levels_;
+};
+
+// Levels are counts of the 8-bit intensity planes.
 struct Material {
-    std::int32_t diffuse = 200;      // level of a surface facing the light, 0..255
-    std::int32_t specular = 55;      // level added in the highlight, 0..255
-    std::int32_t shininess = 5;      // the highlight's exponent is 2^shininess, 0..8
+    Levels diffuse = 200;        // of a surface facing the light, 0..255
+    Levels specular = 55;        // added in the highlight, 0..255
+    std::int32_t shininess = 5;  // the highlight's exponent is 2^shininess, 0..8
+    constexpr bool operator==(const Material&) const = default;
 };
 
 struct Patch {

@@ -68,9 +68,18 @@ WideVector at_leaf(const std::array<Corner, 4>& c, int i, int j) {
 
 WideVector wide(const UnitVector& u) { return {u[0], u[1], u[2]}; }
 
-std::uint8_t level(std::int64_t sum_q22) {
+std::uint8_t level(std::int64_t sum_q30) {
     return static_cast<std::uint8_t>(
-        std::min<std::int64_t>(fixed::round_shift(sum_q22, 22, Rounding::half_up), 255));
+        std::min<std::int64_t>(fixed::round_shift(sum_q30, 30, Rounding::half_up), 255));
+}
+
+// Phong's term, Q1.14, of a surface that faces the light.
+std::int64_t highlight(const Cosines& c, std::int32_t shininess) {
+    std::int64_t h =
+        fixed::round_shift(2 * c.n_dot_l * c.n_dot_v, 14, Rounding::floor) - c.l_dot_v;
+    h = std::clamp<std::int64_t>(h, 0, one_q14);
+    for (int k = 0; k < shininess; ++k) h = fixed::round_shift(h * h, 14, Rounding::half_up);
+    return h;
 }
 
 }  // namespace
@@ -143,34 +152,48 @@ Cosines cosines(const WideVector& n, const UnitVector& to_light, const UnitVecto
     return {cosine(l), cosine(v), fixed::round_shift(dot(l, v), 14, Rounding::floor)};
 }
 
-Shade shade(const Cosines& c, const ShadingSpec& spec, const Material& material, bool in_shadow) {
-    const std::int64_t ambient = material.diffuse * spec.ambient_q8 * one_q14;  // Q.22
-    std::int64_t direct = 0;
-    if (c.n_dot_l > 0 && !in_shadow) {
-        direct = material.diffuse * (256 - spec.ambient_q8) * c.n_dot_l;
-        std::int64_t highlight =
-            fixed::round_shift(2 * c.n_dot_l * c.n_dot_v, 14, Rounding::floor) - c.l_dot_v;
-        highlight = std::clamp<std::int64_t>(highlight, 0, one_q14);
-        for (int k = 0; k < material.shininess; ++k)
-            highlight = fixed::round_shift(highlight * highlight, 14, Rounding::half_up);
-        direct += material.specular * highlight * 256;
+Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Material& material,
+             Shadowed shadowed) {
+    const std::size_t channels = std::min(spec.channels, max_channels);
+    std::array<std::int64_t, max_channels> sum{};  // Q.30
+    Shades shades{};
+    for (std::size_t k = 0; k < channels; ++k) {
+        sum[k] = material.diffuse[k] * spec.ambient_q8 * one_q14 * 256;
+        shades[k].intensity = level(sum[k]);
     }
-    const std::uint8_t intensity = level(ambient + direct);
-    return {intensity, static_cast<std::uint8_t>(intensity - level(ambient))};
+    for (std::size_t l = 0; l < cosines.size(); ++l) {
+        if (cosines[l].n_dot_l <= 0 || (shadowed >> l & 1u) != 0) continue;
+        const std::int64_t shine = highlight(cosines[l], material.shininess) * 256;
+        for (std::size_t k = 0; k < channels; ++k) {
+            sum[k] += spec.sources[l].level_q8[k] *
+                      (material.diffuse[k] * (256 - spec.ambient_q8) * cosines[l].n_dot_l +
+                       material.specular[k] * shine);
+            const std::uint8_t with = level(sum[k]);
+            shades[k].direct[l] = static_cast<std::uint8_t>(with - shades[k].intensity);
+            shades[k].intensity = with;
+        }
+    }
+    return shades;
 }
 
 UnitVector BlockShading::toward(const Toward& to, int i, int j) const {
     return to.to_point ? direction(to, at_leaf(place_, i, j)) : to.direction;
 }
 
-Shade BlockShading::shade(int i, int j, bool in_shadow) const {
+Shades BlockShading::shade(int i, int j, Shadowed shadowed) const {
     const WideVector n = at_leaf(normal_, i, j);  // Q.24
-    Cosines c = cosines(n, toward(spec_.light, i, j), toward(spec_.viewer, i, j));
-    if (c.n_dot_v < 0) {
-        c.n_dot_v = -c.n_dot_v;
-        c.n_dot_l = -c.n_dot_l;
+    const UnitVector to_viewer = toward(spec_.viewer, i, j);
+    BySource<Cosines> all;
+    const std::span used = std::span(all).first(spec_.source_count);
+    for (std::size_t l = 0; l < used.size(); ++l) {
+        Cosines& c = used[l];
+        c = cosines(n, toward(spec_.sources[l].toward, i, j), to_viewer);
+        if (c.n_dot_v < 0) {
+            c.n_dot_v = -c.n_dot_v;
+            c.n_dot_l = -c.n_dot_l;
+        }
     }
-    return raster::shade(c, spec_, material_, in_shadow);
+    return raster::shade(used, spec_, material_, shadowed);
 }
 
 }  // namespace umbra78::raster

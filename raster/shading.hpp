@@ -4,7 +4,9 @@
 //   R = 2 (N.L) N - L,   no highlight where N.L <= 0 or in shadow
 //
 // The light's direct share is I less the ambient term alone, both as levels. At 255 it is the
-// direct share that is cut, so a shadow never leaves less than the ambient term.
+// direct share that is cut, so a shadow never leaves less than the ambient term. Several sources
+// add their shares one after the other, and in a coloured frame each channel is shaded by itself
+// (hw/MACHINE.md, section 23).
 //
 // In: a block's corners and corrections in object words with object_guard more fraction bits.
 // Out: for each leaf I and the direct share, 0..255. hw/MACHINE.md, section 9, has every rounding.
@@ -23,7 +25,9 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace umbra78::raster {
 
@@ -48,20 +52,44 @@ struct Toward {
 // view's eye is at infinity.
 Toward toward_eye(const View& view, hw::WordFormat object);
 
+// What the scene calls a light, as the shading has it.
+struct ShadingSource {
+    Toward toward{};
+    Levels level_q8 = 256;  // each 0..256
+};
+inline constexpr std::size_t max_sources = hw::built(hw::Feature::lights) ? 8 : 1;
+template <class T>
+using BySource = std::array<T, max_sources>;
+
 struct ShadingSpec {
     std::int32_t ambient_q8 = 77;  // 0..256
-    Toward light{}, viewer{};
+    Toward viewer{};
+    BySource<ShadingSource> sources{};
+    std::size_t source_count = 1;
+    std::size_t channels = 1;
+
+    ShadingSpec() = default;
+    // A grey frame with one source.
+    ShadingSpec(std::int32_t ambient, const Toward& light, const Toward& to_viewer)
+        : ambient_q8(ambient), viewer(to_viewer) {
+        sources[0].toward = light;
+    }
 };
 
-// What a sample is shaded with, in levels of 0..255. Samples at the same Z are ordered by it.
+// What a channel of a sample is shaded with, in levels of 0..255.
 struct Shade {
     std::uint8_t intensity = 0;
-    std::uint8_t direct = 0;  // how much of it the light gives; the rest is ambient light
+    BySource<std::uint8_t> direct{};  // how much of it each source gives; the rest is ambient light
 
     constexpr auto operator<=>(const Shade&) const = default;
 };
+// By channel. Samples at the same Z are ordered by it.
+using Shades = std::array<Shade, max_channels>;
 
-// Cosines at a sample, Q1.14, floored: of the normal with the directions to the light and to the
+// The sources that a sample is in the shadow of, a bit each.
+using Shadowed = std::uint32_t;
+
+// Cosines at a sample, Q1.14, floored: of the normal with the directions to a light and to the
 // viewer, and of those with each other.
 struct Cosines {
     std::int64_t n_dot_l, n_dot_v, l_dot_v;
@@ -70,8 +98,9 @@ struct Cosines {
 // A normal of any length and two directions. 0 where the normal has no direction.
 Cosines cosines(const WideVector& normal, const UnitVector& to_light, const UnitVector& to_viewer);
 
-Shade shade(const Cosines& cosines, const ShadingSpec& spec, const Material& material,
-            bool in_shadow);
+// `cosines` with each source of the spec.
+Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Material& material,
+             Shadowed shadowed);
 
 // From a place, 1024 times as large as `toward` has it.
 UnitVector direction(const Toward& toward, const WideVector& place_1024);
@@ -82,10 +111,10 @@ public:
     BlockShading(const std::array<Component, 3>& world, const ShadingSpec& spec,
                  const Material& material);
 
-    // Of leaf (i, j), lit or in the shadow of something else.
-    Shade shade(int i, int j, bool in_shadow) const;
-    Shade shade(const Sample& s, bool in_shadow) const {
-        return shade(s.leaf_i, s.leaf_j, in_shadow);
+    // Of leaf (i, j).
+    Shades shade(int i, int j, Shadowed shadowed) const;
+    Shades shade(const Sample& s, Shadowed shadowed) const {
+        return shade(s.leaf_i, s.leaf_j, shadowed);
     }
 
 private:

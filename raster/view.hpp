@@ -45,6 +45,11 @@ ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
 // Straight down or up, right is (1, 0, 0). False, and `out` as it was, if the points coincide.
 bool axes_from_points(const World& from, const World& to, ViewAxes& out);
 
+// Light (i, j) of n x n on a square source of that side, in the plane of a view's right and up
+// about `middle` (hw/MACHINE.md, section 23). World words; the sum must fit them.
+World place_on_area(const World& middle, const ViewAxes& axes, std::int32_t side, int n, int i,
+                    int j);
+
 // How far a point lies along an axis from the world's origin, exactly, with 46 fraction bits.
 // |p| < 2^31 and an axis of length 1 leave it in 63 bits.
 constexpr std::int64_t along(const Axis& axis, const World& p) {

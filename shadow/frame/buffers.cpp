@@ -27,18 +27,27 @@ private:
 
 template <class Depth>
 FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::size_t patches,
-                            std::size_t lights) {
+                            const FrameShape& shape) {
     const std::size_t pixels = std::size_t{1} << (2 * spec.xy_bits);
+    const auto planes = [&](std::size_t n) { return carver.take<std::uint8_t>(n * pixels); };
     FrameBuffers<Depth> f;
-    f.observer = {spec.xy_bits, carver.take<Depth>(pixels), carver.take<std::uint8_t>(pixels),
-                  carver.take<std::uint8_t>(pixels)};
-    for (LightBuffers<Depth>& light : std::span(f.lights).first(lights)) {
-        light.map = {spec.xy_bits, carver.take<Depth>(pixels)};
-        light.mask = carver.take<std::uint8_t>(pixels);
-        light.edges = carver.take<std::uint8_t>(pixels);
-        light.filtered = carver.take<std::uint8_t>(pixels);
+    f.observer = {spec.xy_bits, carver.take<Depth>(pixels), {}, {}};
+    f.observer.intensity = planes(shape.channels);
+    f.observer.direct = planes(shape.channels * shape.sources);
+    std::size_t next = 0;
+    for (std::size_t s = 0; s < shape.sources; ++s) {
+        const std::span of_source = std::span(f.lights).subspan(next, shape.lights_of[s]);
+        next += of_source.size();
+        for (LightBuffers<Depth>& light : of_source) {
+            light.map = {spec.xy_bits, carver.take<Depth>(pixels)};
+            light.mask = planes(1);
+        }
+        LightBuffers<Depth>& first = of_source.front();
+        first.joined = of_source.size() > 1 ? planes(1) : first.mask;
+        first.edges = planes(1);
+        first.filtered = planes(1);
     }
-    f.picture = carver.take<std::uint8_t>(pixels);
+    f.picture = planes(shape.channels);
     f.edge_memory = {carver.take<std::uint32_t>(edge_visited_words(spec.xy_bits)),
                      carver.take<std::int16_t>(edge_coverage_words(spec.xy_bits))};
     f.order = carver.take<std::uint32_t>(patches);
@@ -50,33 +59,41 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
 
 }  // namespace
 
+FrameShape::FrameShape(const Scene& scene)
+    : lights(scene.light_count), sources(scene.sources_used()), channels(scene.channels) {
+    fixed::require(scene.in_order(), "frame carved for too many lights");
+    for (std::size_t s = 0; s < sources; ++s)
+        lights_of[s] = static_cast<std::uint8_t>(scene.source(s).lights);
+}
+
 template <class Depth>
-std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches, std::size_t lights) {
+std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches,
+                        const FrameShape& shape) {
     Carver carver(nullptr);
-    lay_out<Depth>(carver, spec, patches, lights);
+    lay_out<Depth>(carver, spec, patches, shape);
     return carver.used();
 }
 
 template <class Depth>
 FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
-                          std::size_t patches, std::size_t lights) {
+                          std::size_t patches, const FrameShape& shape) {
     fixed::require(hw::check(spec) == hw::SpecStatus::ok, "frame carved for widths out of range");
-    fixed::require(lights <= max_lights, "frame carved for more than max_lights lights");
     fixed::require(reinterpret_cast<std::uintptr_t>(memory.data()) % frame_alignment == 0,
                    "frame memory not aligned to 64 bytes");
-    fixed::require(frame_bytes<Depth>(spec, patches, lights) <= memory.size(),
+    fixed::require(frame_bytes<Depth>(spec, patches, shape) <= memory.size(),
                    "frame memory smaller than frame_bytes");
     Carver carver(memory.data());
-    FrameBuffers<Depth> f = lay_out<Depth>(carver, spec, patches, lights);
+    FrameBuffers<Depth> f = lay_out<Depth>(carver, spec, patches, shape);
     new (f.draw) raster::DrawMemory;
     if (hw::built(hw::Feature::rows)) new (f.rows) RowMemory;
     return f;
 }
 
 #define UMBRA78_BUFFERS(Depth)                                                               \
-    template std::size_t frame_bytes<Depth>(const hw::MachineSpec&, std::size_t, std::size_t); \
+    template std::size_t frame_bytes<Depth>(const hw::MachineSpec&, std::size_t,             \
+                                            const FrameShape&);                              \
     template FrameBuffers<Depth> carve(std::span<std::byte>, const hw::MachineSpec&,         \
-                                       std::size_t, std::size_t);
+                                       std::size_t, const FrameShape&);
 UMBRA78_BUFFERS(hw::Depth16)
 UMBRA78_BUFFERS(hw::Depth32)
 #undef UMBRA78_BUFFERS

@@ -1,7 +1,8 @@
 // A frame's buffers, carved from one piece of the caller's memory, and what a frame counts.
 //
 // Every plane has size_px^2 words, row by row from the top. A frame of 512 x 512 pixels with
-// 16-bit Z, one light and the 128 patches of the figures takes 3 349 248 bytes.
+// 16-bit Z, one light and the 128 patches of the figures takes 3 349 248 bytes; each further light
+// of its own 1 572 864 more (a map, a mask, two filtered masks, a direct share).
 #pragma once
 
 #include "hw/frame_store.hpp"
@@ -20,9 +21,11 @@ namespace umbra78::shadow {
 // The planes that each light has. Darkness is 0 (lit) to 255 (in shadow).
 template <class Depth>
 struct LightBuffers {
-    hw::FrameStore<Depth> map;         // the light's depth map; it has no intensity
-    std::span<std::uint8_t> mask;      // the darkness, as the method wrote it
-    std::span<std::uint8_t> edges;     // after dequantizing; = mask where that is off
+    hw::FrameStore<Depth> map;      // the light's depth map; it has no intensity
+    std::span<std::uint8_t> mask;   // the darkness, as the method wrote it
+    // Of a source's first light alone:
+    std::span<std::uint8_t> joined;    // the darkness of all its lights; of one light, `mask`
+    std::span<std::uint8_t> edges;     // after dequantizing; = joined where that is off
     std::span<std::uint8_t> filtered;  // after the low-pass; = edges where that is off
 };
 
@@ -30,13 +33,26 @@ template <class Depth>
 struct FrameBuffers {
     hw::FrameStore<Depth> observer;
     std::array<LightBuffers<Depth>, max_lights> lights;
-    std::span<std::uint8_t> picture;
+    std::span<std::uint8_t> picture;  // a plane a channel
     EdgeMemory edge_memory;
     std::span<std::uint32_t> order;      // a word a patch
     std::span<std::int64_t> nearest;     // a word a patch
     raster::DrawMemory* draw = nullptr;
     RowMemory* rows = nullptr;
     std::span<std::byte> method_memory;  // the caller's, for a method whose row says may_run_out
+
+    std::size_t pixels() const { return observer.depth.size(); }
+    // A channel's plane, and in it a source's.
+    std::span<std::uint8_t> intensity(std::size_t channel) const {
+        return observer.intensity.subspan(channel * pixels(), pixels());
+    }
+    std::span<std::uint8_t> direct(std::size_t channel, std::size_t source) const {
+        const std::size_t sources = observer.direct.size() / observer.intensity.size();
+        return observer.direct.subspan((channel * sources + source) * pixels(), pixels());
+    }
+    std::span<std::uint8_t> picture_of(std::size_t channel) const {
+        return picture.subspan(channel * pixels(), pixels());
+    }
 
     // What a pass over the frame reads for light l.
     DepthMaps<Depth> maps(std::size_t l = 0) const {
@@ -47,14 +63,25 @@ struct FrameBuffers {
 // The alignment of a frame's memory, in bytes: each buffer starts a line of the host's cache.
 inline constexpr std::size_t frame_alignment = 64;
 
+// How many planes of each kind a scene needs: by default those of one light, in grey.
+struct FrameShape {
+    std::size_t lights = 1, sources = 1, channels = 1;
+    std::array<std::uint8_t, max_sources> lights_of{1};
+
+    FrameShape() = default;
+    explicit FrameShape(const Scene& scene);
+    constexpr bool operator==(const FrameShape&) const = default;
+};
+
 template <class Depth>
-std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches, std::size_t lights = 1);
+std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches,
+                        const FrameShape& shape = {});
 
 // `memory` has at least frame_bytes() bytes and is aligned to frame_alignment. Traps otherwise,
 // and for widths out of range.
 template <class Depth>
 FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
-                          std::size_t patches, std::size_t lights = 1);
+                          std::size_t patches, const FrameShape& shape = {});
 
 // Whether a method had room for what it keeps, and how many things it needed room for.
 struct Capacity {

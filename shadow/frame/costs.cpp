@@ -35,6 +35,67 @@ StageCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix,
     return c;
 }
 
+// A light's part of a frame under a plan, added to the frame's.
+class LightCosts {
+public:
+    LightCosts(const FramePlan& plan, const DrawnFrame& drawn, std::size_t light,
+               FrameCycles& cycles)
+        : plan_(plan), drawn_(drawn), in_(drawn.inputs), ledger_(drawn.ledgers[light]), l_(light),
+          cycles_(cycles), pixels_(std::uint64_t{1} << (2 * in_.settings.machine.xy_bits)) {}
+
+    void map() {
+        if (leaves_out(Omission::same_light_map) || leaves_out(Omission::light_map)) return;
+        const bool inside = plan_.leaves_out(Omission::outside_surfaces);
+        StageCycles copied;
+        copied.store = 2 * pixels_;
+        add(FrameStage::light, leaves_out(Omission::light_drawing)
+                                   ? copied
+                                   : view(drawn_, in_.matrices.lights[l_].world_to_light,
+                                          inside ? ledger_.light_inside : ledger_.light_counts,
+                                          !leaves_out(Omission::light_shading), plan_));
+    }
+    void test() {
+        if (leaves_out(Omission::same_mask) || leaves_out(Omission::post_process)) return;
+        add(FrameStage::post_process, method_of(in_).plan_cost(drawn_, plan_, l_));
+    }
+    // Of the source that begins with this light.
+    void filters(bool has_area) {
+        if (plan_.leaves_out(Omission::same_picture)) return;
+        const Settings& s = in_.settings;
+        StageCycles joined;
+        joined.operations = ledger_.join.units;
+        if (has_area) add(FrameStage::join, joined);
+        filter(FrameStage::dequantize, Omission::dequantize, s.dequantize_passes,
+               ledger_.dequantize, ledger_.dequantize_near);
+        filter(FrameStage::low_pass, Omission::low_pass, s.low_pass_passes, ledger_.low_pass,
+               ledger_.low_pass_near);
+        filter(FrameStage::composite, Omission::composite, 1, ledger_.composite,
+               ledger_.composite_near);
+    }
+
+private:
+    bool leaves_out(Omission o) const { return plan_.leaves_out(o, l_); }
+    void add(FrameStage stage, const StageCycles& c) {
+        cycles_[static_cast<std::size_t>(stage)] += c;
+    }
+    void filter(FrameStage stage, Omission omission, int passes, const PhaseLedger& all,
+                const PhaseLedger& near_shadow) {
+        if (leaves_out(omission)) return;
+        StageCycles c;
+        c.operations = leaves_out(Omission::lit_lines) ? near_shadow.units : all.units;
+        if (passes == 0) c.operations = {.store = planes_of_a_copy * pixels_};
+        add(stage, c);
+    }
+
+    const FramePlan& plan_;
+    const DrawnFrame& drawn_;
+    const FrameInputs& in_;
+    const FrameLedger& ledger_;
+    std::size_t l_;
+    FrameCycles& cycles_;
+    std::uint64_t pixels_;
+};
+
 template <std::size_t N>
 bool is(Omission a, const Omission (&of)[N]) {
     return std::find(of, of + N, a) != of + N;
@@ -51,12 +112,12 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
     // A line that is left out takes a cycle, for its bit and the noise's jump over it.
     const auto lines = static_cast<std::uint64_t>(s.machine.size_px());
     const bool whole = when_drawn || !plan.leaves_out(Omission::empty_lines);
-    const std::uint64_t empty = whole ? 0 : lines - drawn.ledger.lines.visible;
+    const FrameLedger& ledger = drawn.ledgers[light];
+    const std::uint64_t empty = whole ? 0 : lines - ledger.lines.visible;
     const std::uint64_t read = pixels - empty * lines;
-    const std::uint64_t tested = when_drawn ? drawn.ledger.observer_counts.samples
-                                 : plan.leaves_out(Omission::background_pixels)
-                                     ? drawn.ledger.visible
-                                     : read;
+    const std::uint64_t tested = when_drawn ? ledger.observer_counts.samples
+                                 : plan.leaves_out(Omission::background_pixels) ? ledger.visible
+                                                                                : read;
     StageCycles c = points(tested, s, affine, !affine || plan.unit_work().divide, plan);
     if (!plan.leaves_out(Omission::noise))
         c.noise = (when_drawn ? tested : read) *
@@ -66,45 +127,39 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
     return c;
 }
 
+StageCycles& StageCycles::operator+=(const StageCycles& o) {
+    transform += o.transform;
+    divide += o.divide;
+    noise += o.noise;
+    store += o.store;
+    operations.adders += o.operations.adders;
+    operations.multipliers += o.operations.multipliers;
+    operations.divider += o.operations.divider;
+    operations.store += o.operations.store;
+    return *this;
+}
+
 FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn) {
     const FrameInputs& in = drawn.inputs;
-    const std::uint64_t pixels = std::uint64_t{1} << (2 * in.settings.machine.xy_bits);
-    const Method& method = method_of(in);
-    fixed::require(method.plan_cost != nullptr, "a method without the costs of a plan");
+    fixed::require(method_of(in).plan_cost != nullptr, "a method without the costs of a plan");
+    fixed::require(drawn.ledgers.size() == in.scene.light_count, "costs: a ledger for each light");
     FrameCycles cycles{};
-    const auto add = [&](FrameStage stage, bool left_out, const StageCycles& c) {
-        if (!left_out) cycles[static_cast<std::size_t>(stage)] = c;
-    };
-    const bool near = plan.leaves_out(Omission::lit_lines);
-    const auto add_filter = [&](FrameStage stage, Omission omission, int passes,
-                                const PhaseLedger& all, const PhaseLedger& near_shadow) {
-        StageCycles c;
-        c.operations = near ? near_shadow.units : all.units;
-        if (passes == 0) c.operations = {.store = planes_of_a_copy * pixels};
-        add(stage, plan.leaves_out(omission) || plan.leaves_out(Omission::same_picture), c);
-    };
-    const FrameLedger& l = drawn.ledger;
-    const bool inside = plan.leaves_out(Omission::outside_surfaces);
-    StageCycles copied;
-    copied.store = 2 * pixels;
-    add(FrameStage::light,
-        plan.leaves_out(Omission::same_light_map) || plan.leaves_out(Omission::light_map),
-        plan.leaves_out(Omission::light_drawing)
-            ? copied
-            : view(drawn, in.matrices.lights[0].world_to_light,
-                   inside ? l.light_inside : l.light_counts,
-                   !plan.leaves_out(Omission::light_shading), plan));
-    add(FrameStage::observer, plan.leaves_out(Omission::same_observer),
-        view(drawn, in.matrices.world_to_observer, inside ? l.observer_inside : l.observer_counts,
-             true, plan));
-    add(FrameStage::post_process,
-        plan.leaves_out(Omission::same_mask) || plan.leaves_out(Omission::post_process),
-        method.plan_cost(drawn, plan, 0));
-    add_filter(FrameStage::dequantize, Omission::dequantize, in.settings.dequantize_passes,
-               l.dequantize, l.dequantize_near);
-    add_filter(FrameStage::low_pass, Omission::low_pass, in.settings.low_pass_passes, l.low_pass,
-               l.low_pass_near);
-    add_filter(FrameStage::composite, Omission::composite, 1, l.composite, l.composite_near);
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
+        LightCosts light(plan, drawn, l, cycles);
+        light.map();
+        light.test();
+    }
+    for (std::size_t s = 0; s < in.scene.sources_used(); ++s) {
+        const Source source = in.scene.source(s);
+        LightCosts(plan, drawn, source.first_light, cycles).filters(source.has_area());
+    }
+    const FrameLedger& l = drawn.ledgers[0];
+    if (!plan.leaves_out(Omission::same_observer))
+        cycles[static_cast<std::size_t>(FrameStage::observer)] =
+            view(drawn, in.matrices.world_to_observer,
+                 plan.leaves_out(Omission::outside_surfaces) ? l.observer_inside
+                                                             : l.observer_counts,
+                 true, plan);
     return cycles;
 }
 
@@ -123,12 +178,15 @@ Saving saving(Omission omission, const FramePlan& plan, const DrawnFrame& drawn)
                                     light_drawing, empty_lines, lit_lines, same_mask}) ||
                       (method_of(drawn.inputs).tests_when_drawn() &&
                        is(omission, {divide, w_row, constant_product, noise}));
-    if (!plan.leaves_out(omission)) return s;
+    if (!plan.leaves_out_any(omission)) return s;
+    const auto needed = [](FramePlan& p, std::size_t o) {
+        for (Decision& d : p.decisions[o]) d.left_out = false;
+    };
     FramePlan with = plan;
     for (std::size_t k = static_cast<std::size_t>(omission) + 1; k < omission_count; ++k)
-        with.at(static_cast<Omission>(k)).left_out = false;
+        needed(with, k);
     FramePlan without = with;
-    without.at(omission).left_out = false;
+    needed(without, static_cast<std::size_t>(omission));
     s.cycles = total(cycles_of(without, drawn)) - total(cycles_of(with, drawn));
     return s;
 }

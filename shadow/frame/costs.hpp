@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace umbra78::shadow {
 
@@ -23,11 +24,12 @@ enum class FrameStage : std::uint8_t {
     light,
     observer,
     post_process,
+    join,  // the masks of a source's lights; nothing where each source has one
     dequantize,
     low_pass,
     composite
 };
-inline constexpr std::size_t stage_count = 6;
+inline constexpr std::size_t stage_count = 7;
 
 struct StageCycles {
     std::uint64_t transform = 0, divide = 0, noise = 0, store = 0;
@@ -35,17 +37,23 @@ struct StageCycles {
     std::uint64_t total() const {
         return transform + divide + noise + store + operations.one_after_the_other();
     }
+    StageCycles& operator+=(const StageCycles& o);
 };
 
 using FrameCycles = std::array<StageCycles, stage_count>;  // by FrameStage
 
-// What a frame turned out to be.
+// What a frame turned out to be: a ledger for each of its lights.
 struct DrawnFrame {
     const FrameInputs& inputs;
-    const FrameLedger& ledger;
+    std::span<const FrameLedger> ledgers;
+
+    DrawnFrame(const FrameInputs& of, std::span<const FrameLedger> by_light)
+        : inputs(of), ledgers(by_light) {}
+    // Of one light.
+    DrawnFrame(const FrameInputs& of, const FrameLedger& ledger) : inputs(of), ledgers(&ledger, 1) {}
 };
 
-// Traps for a method that has no such costs (Method::no_plan_cost).
+// Traps for a method that has no such costs (Method::no_plan_cost), and without a light's ledger.
 FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn);
 std::uint64_t total(const FrameCycles& cycles);
 

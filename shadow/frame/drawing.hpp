@@ -15,13 +15,20 @@ template <class Depth>
 void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
     const hw::MachineSpec& m = in.settings.machine;
     const std::size_t pixels = std::size_t{1} << (2 * m.xy_bits);
+    const std::size_t sources = in.scene.sources_used(), channels = in.scene.channels;
     bool fits = frame.observer.xy_bits == m.xy_bits && frame.observer.depth.size() == pixels &&
-                frame.observer.shades() && frame.picture.size() == pixels;
+                frame.observer.intensity.size() == channels * pixels &&
+                frame.observer.direct.size() == channels * sources * pixels &&
+                frame.picture.size() == channels * pixels;
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
         const LightBuffers<Depth>& light = frame.lights[l];
         fits = fits && light.map.xy_bits == m.xy_bits && light.map.depth.size() == pixels &&
-               light.mask.size() == pixels && light.edges.size() == pixels &&
-               light.filtered.size() == pixels;
+               light.mask.size() == pixels;
+    }
+    for (std::size_t s = 0; s < sources; ++s) {
+        const LightBuffers<Depth>& first = frame.lights[in.scene.source(s).first_light];
+        fits = fits && first.joined.size() == pixels && first.edges.size() == pixels &&
+               first.filtered.size() == pixels;
     }
     fixed::require(missing_feature(in.scene, in.settings).empty(),
                    "this build leaves out a stage that is asked for");
@@ -39,7 +46,20 @@ inline std::int64_t dice_tolerance(const FrameInputs& in) {
                               in.settings.machine.xy_bits + 1);
 }
 
-// Surfaces are shaded by the first light.
+inline raster::ShadingSpec shading_of(const FrameInputs& in) {
+    const hw::WordFormat object = in.matrices.object;
+    raster::ShadingSpec spec;
+    spec.ambient_q8 = in.settings.ambient_q8;
+    spec.viewer = raster::toward_eye(in.scene.observer, object);
+    spec.source_count = in.scene.sources_used();
+    spec.channels = in.scene.channels;
+    for (std::size_t s = 0; s < spec.source_count; ++s) {
+        const Source source = in.scene.source(s);
+        spec.sources[s] = {raster::toward_eye(source.place, object), source.level_q8};
+    }
+    return spec;
+}
+
 inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan,
                                     const hw::MatrixWords& matrix) {
     const hw::WordFormat object = in.matrices.object;
@@ -48,8 +68,7 @@ inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan
             object,
             in.settings.sampling,
             in.scene.materials,
-            {in.settings.ambient_q8, raster::toward_eye(in.scene.lights[0], object),
-             raster::toward_eye(in.scene.observer, object)},
+            shading_of(in),
             in.settings.surface,
             in.settings.dice_levels,
             dice_tolerance(in),

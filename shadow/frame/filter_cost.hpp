@@ -1,11 +1,12 @@
 // What the filters and the composite cost, in operations (hw/operations.hpp).
 //
-// The constants are the last four rows of the table in hw/MACHINE.md, section 16; they count the
-// additions, products and quotients of the formulas in its section 13.
+// The constants are the last five rows of the table in hw/MACHINE.md, section 16; they count the
+// additions, products and quotients of the formulas in its sections 13 and 23.
 #pragma once
 
 #include "hw/operations.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace umbra78::shadow::cost {
@@ -33,7 +34,13 @@ inline constexpr Operations coverage_pixel{
 inline constexpr Operations low_pass_pixel{
     .adds = 12, .products = 0, .passes = 0, .quotients = 0, .quotient_bits = 0, .accesses = 10};
 
-// For each pixel: picture, direct share and mask read, the picture written.
+// For each pixel of a source of n lights: their masks are read and counted, the share is written.
+constexpr Operations join_pixel(std::size_t lights) {
+    return {.adds = lights + 1, .products = 1, .passes = 1, .quotients = 1, .quotient_bits = 8,
+            .accesses = lights + 1};
+}
+
+// For each pixel, source and channel: picture, direct share and mask read, the picture written.
 inline constexpr Operations composite_pixel{
     .adds = 2, .products = 2, .passes = 2, .quotients = 1, .quotient_bits = 10, .accesses = 4};
 

@@ -17,15 +17,19 @@ template <class Depth>
 std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame, std::size_t plane = 0) {
     const std::span coverage = std::as_writable_bytes(frame.edge_memory.coverage);
     const std::span bytes(reinterpret_cast<std::uint8_t*>(coverage.data()), coverage.size());
-    return bytes.subspan(plane * frame.picture.size(), frame.picture.size());
+    return bytes.subspan(plane * frame.pixels(), frame.pixels());
 }
 
 // Where Z is kept and the intensities are drawn anew: they start from the max level, and only
 // samples at the stored depth compete, so that each comes out as in a frame drawn anew.
 template <class Depth>
 void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store) {
-    for (std::size_t k = 0; k < store.depth.size(); ++k)
-        store.intensity[k] = store.direct[k] = store.depth[k] == spec.background() ? 0 : 255;
+    const auto start = [&](std::span<std::uint8_t> planes) {
+        for (std::size_t k = 0; k < planes.size(); ++k)
+            planes[k] = store.depth[k % store.depth.size()] == spec.background() ? 0 : 255;
+    };
+    start(store.intensity);
+    start(store.direct);
 }
 
 void copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
@@ -58,6 +62,7 @@ void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
         into(raster::DepthSink<Depth>{map});
         return;
     }
+    // Grey and of one source: what is computed for nothing is not kept either.
     hw::FrameStore<Depth> shaded = map;
     shaded.intensity = scratch(frame, 0);
     shaded.direct = scratch(frame, 1);
@@ -73,9 +78,9 @@ void copy_lines(std::span<const std::uint8_t> from, const LineSet& lines,
             copy(from.subspan(a, n), to.subspan(a, n));
 }
 
-// Fills edges and filtered. Returns the lines that the composite has work on: a filter leaves a
-// line as it is if it and its neighbours are lit, and each pass of the low-pass reaches one line
-// further.
+// Fills a source's edges and filtered; `l` is its first light. Returns the lines that the composite
+// has work on: a filter leaves a line as it is if it and its neighbours are lit, and each pass of
+// the low-pass reaches one line further.
 template <class Depth>
 LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
                FrameBuffers<Depth>& frame, FrameCounts& counts) {
@@ -86,9 +91,9 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     LightCounts& counted = counts.lights[l];
     counted.filtered_lines = {};
     counted.chain_steps = 0;
-    LineSet lines = plan.leaves_out(Omission::lit_lines, l) ? lines_with_shadow(light.mask, size)
+    LineSet lines = plan.leaves_out(Omission::lit_lines, l) ? lines_with_shadow(light.joined, size)
                                                             : LineSet::all(size);
-    copy(light.mask, light.edges);
+    copy(light.joined, light.edges);
     if constexpr (!hw::built(hw::Feature::filters)) {
         copy(light.edges, light.filtered);
         return lines;
@@ -96,7 +101,7 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     if (!plan.leaves_out(Omission::dequantize, l)) {
         counted.filtered_lines.dequantize = lines.count();
         counted.chain_steps =
-            dequantize<Depth>(light.mask, frame.observer, none, settings.dequantize_passes,
+            dequantize<Depth>(light.joined, frame.observer, none, settings.dequantize_passes,
                               frame.edge_memory, light.edges, lines);
     }
     copy(light.edges, light.filtered);
@@ -104,21 +109,26 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     for (int pass = 0; pass < settings.low_pass_passes; ++pass) {
         lines = lines.with_neighbours();
         counted.filtered_lines.low_pass += lines.count();
-        // The picture's plane is free until the composite.
-        low_pass<Depth>(light.filtered, frame.observer, none, frame.picture, lines);
-        copy_lines(frame.picture, lines, light.filtered);
+        // The picture's first plane is free until the composite.
+        low_pass<Depth>(light.filtered, frame.observer, none, frame.picture_of(0), lines);
+        copy_lines(frame.picture_of(0), lines, light.filtered);
     }
     if (settings.low_pass_passes == 0)  // not left out: a pass whose result nobody reads
         low_pass<Depth>(light.filtered, frame.observer, none, scratch(frame));
     return lines;
 }
 
-// Darkens the lines in the set; the others are those of `picture`.
+// Darkens a channel of `picture` by a source's shadow on the lines in the set, into the channel's
+// plane of the frame's picture; the other lines are those of `picture`.
 template <class Depth>
-void darken(const FrameInputs& in, std::size_t l, std::span<const std::uint8_t> picture,
-            const LineSet& lines, FrameBuffers<Depth>& frame) {
+void darken(const FrameInputs& in, std::size_t channel, std::size_t source,
+            std::span<const std::uint8_t> picture, const LineSet& lines,
+            FrameBuffers<Depth>& frame) {
     const bool whole = in.settings.composite == Composite::whole;
-    const std::span<const std::uint8_t> share = whole ? picture : frame.observer.direct;
+    const std::span<const std::uint8_t> share = whole ? picture : frame.direct(channel, source);
+    const std::span<const std::uint8_t> darkness =
+        frame.lights[in.scene.source(source).first_light].filtered;
+    const std::span<std::uint8_t> out = frame.picture_of(channel);
     // A shadow that is in the shading already darkens nothing more.
     const int density = method_of(in).tests_when_drawn() ? 0 : in.settings.density_q8;
     const auto n = static_cast<std::size_t>(lines.size());
@@ -127,11 +137,24 @@ void darken(const FrameInputs& in, std::size_t l, std::span<const std::uint8_t> 
             return plane.subspan(static_cast<std::size_t>(y) * n, n);
         };
         if (lines.has(y)) {
-            composite(line(picture), line(share), line(frame.lights[l].filtered), density,
-                      line(frame.picture));
-        } else if (picture.data() != frame.picture.data()) {
-            copy(line(picture), line(frame.picture));
+            composite(line(picture), line(share), line(darkness), density, line(out));
+        } else if (picture.data() != out.data()) {
+            copy(line(picture), line(out));
         }
+    }
+}
+
+// A source's darkness from the masks of its lights: the share of them that is in shadow.
+template <class Depth>
+void join(const Source& source, FrameBuffers<Depth>& frame) {
+    if (!source.has_area()) return;  // the darkness is its light's mask
+    const std::span lights = std::span(frame.lights).subspan(source.first_light, source.lights);
+    const std::span<std::uint8_t> joined = lights.front().joined;
+    const auto n = static_cast<std::uint32_t>(source.lights);
+    for (std::size_t a = 0; a < joined.size(); ++a) {
+        std::uint32_t shadowed = 0;
+        for (const LightBuffers<Depth>& light : lights) shadowed += light.mask[a] == mask_shadow;
+        joined[a] = static_cast<std::uint8_t>((510 * shadowed + n) / (2 * n));
     }
 }
 
@@ -196,6 +219,7 @@ void cast_shadows(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
             method_of(in).stages<Depth>().cast(in, plan, l, frame, counts);
         }
     }
+    for (std::size_t s = 0; s < in.scene.sources_used(); ++s) join(in.scene.source(s), frame);
 }
 
 template <class Depth>
@@ -204,17 +228,22 @@ void filter_and_composite(const FrameInputs& in, const FramePlan& plan, FrameBuf
     require_fits(in, frame);
     if (plan.leaves_out(Omission::same_picture)) return;
     // All filters before the first composite: the low-pass works in the picture's plane.
-    std::array<LineSet, max_lights> lines;
-    for (std::size_t l = 0; l < in.scene.light_count; ++l)
-        lines[l] = filter(in, plan, l, frame, counts);
-    std::span<const std::uint8_t> picture = frame.observer.intensity;
-    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
-        if (plan.leaves_out(Omission::composite, l)) continue;
-        counts.lights[l].filtered_lines.composite = lines[l].count();
-        darken(in, l, picture, lines[l], frame);
-        picture = frame.picture;
+    std::array<LineSet, max_sources> lines;
+    const std::size_t sources = in.scene.sources_used();
+    for (std::size_t s = 0; s < sources; ++s)
+        lines[s] = filter(in, plan, in.scene.source(s).first_light, frame, counts);
+    for (std::size_t channel = 0; channel < in.scene.channels; ++channel) {
+        std::span<const std::uint8_t> picture = frame.intensity(channel);
+        const std::span<std::uint8_t> out = frame.picture_of(channel);
+        for (std::size_t s = 0; s < sources; ++s) {
+            const std::size_t l = in.scene.source(s).first_light;
+            if (plan.leaves_out(Omission::composite, l)) continue;
+            counts.lights[l].filtered_lines.composite = lines[s].count();
+            darken(in, channel, s, picture, lines[s], frame);
+            picture = out;
+        }
+        if (picture.data() != out.data()) copy(picture, out);
     }
-    if (picture.data() != frame.picture.data()) copy(picture, frame.picture);
 }
 
 template <class Depth>

@@ -30,12 +30,25 @@ FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settin
 
 }  // namespace
 
+bool Scene::in_order() const {
+    if (light_count > max_lights || sources_used() > max_sources) return false;
+    std::size_t next = 0;
+    for (std::size_t s = 0; s < source_count; ++s) {
+        if (sources[s].first_light != next || sources[s].lights == 0) return false;
+        next += sources[s].lights;
+    }
+    return source_count == 0 || next == light_count;
+}
+
 FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMatrices& out) {
     using enum FrameStatus;
     const hw::MachineSpec& spec = settings.machine;
-    fixed::require(scene.light_count <= max_lights, "scene with more than max_lights lights");
+    fixed::require(scene.in_order(), "scene with too many lights, or lights that no source has");
     if (!missing_feature(scene, settings).empty()) return not_built;
     if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
+    const bool when_drawn = method_of(settings)->tests_when_drawn();
+    for (std::size_t s = 0; s < scene.sources_used(); ++s)
+        if (when_drawn && scene.source(s).has_area()) return area_when_drawn;
     out.object = scene.streamed ? raster::object_format(scene.largest_streamed)
                                 : raster::object_format(scene.surfaces());
     if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=

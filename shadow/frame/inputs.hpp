@@ -1,8 +1,10 @@
 // What a frame is made from: a scene, settings, the matrices loaded from both, and the method that
 // decides what is in shadow.
 //
-// A frame has an observer and up to max_lights lights. Whatever belongs to a light (its view, its
-// matrices, its buffers, its part of the plan) is an element of an array of max_lights.
+// A frame has an observer and up to max_lights lights. A light is one view of the scene: its
+// matrices, its map, its mask, its part of the plan are elements of arrays of max_lights. A source
+// is what a scene calls a light: one light, or several that stand on its area, and the levels by
+// which they shade (hw/MACHINE.md, section 23).
 #pragma once
 
 #include "hw/ap120b/transform.hpp"
@@ -19,7 +21,17 @@ namespace umbra78::shadow {
 
 struct Method;
 
-inline constexpr std::size_t max_lights = 1;
+inline constexpr std::size_t max_lights = hw::built(hw::Feature::lights) ? 64 : 1;
+using raster::max_sources;
+
+// A source's lights follow one another, and the sources' lights too.
+struct Source {
+    std::size_t first_light = 0, lights = 1;
+    raster::View place{};          // shading is from the eye of this view
+    raster::Levels level_q8 = 256;
+
+    bool has_area() const { return lights > 1; }
+};
 
 struct Scene {
     std::span<const raster::Patch> patches;
@@ -28,12 +40,21 @@ struct Scene {
     std::array<raster::View, max_lights> lights;  // a view in perspective: a point light at its eye
     std::size_t light_count = 1;
     raster::Mesh mesh{};
+    std::array<Source, max_sources> sources{};
+    std::size_t source_count = 0;  // 0: each light is a source of level 256
+    std::size_t channels = 1;      // 3: coloured
     // The surfaces come batch by batch (shadow/frame/stream.hpp) and are not those above. Their
     // coordinates have at most this magnitude, a world word.
     bool streamed = false;
     std::uint32_t largest_streamed = 0;
 
     raster::Surfaces surfaces() const { return {patches, mesh}; }
+    std::size_t sources_used() const { return source_count == 0 ? light_count : source_count; }
+    Source source(std::size_t s) const {
+        return source_count == 0 ? Source{s, 1, lights[s], 256} : sources[s];
+    }
+    // The lights and sources are numbered through, and there is room for them.
+    bool in_order() const;
 };
 
 enum class FrameStatus : std::uint8_t {
@@ -44,6 +65,7 @@ enum class FrameStatus : std::uint8_t {
     light_matrix,
     shadow_matrix,
     bias_out_of_range,
+    area_when_drawn,  // a source has an area, and the method tests points as they are drawn
 };
 
 // A light's matrices, rounded to the unit's words.

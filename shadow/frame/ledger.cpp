@@ -6,6 +6,7 @@
 #include "shadow/lines.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace umbra78::shadow {
 namespace {
@@ -124,7 +125,8 @@ std::string_view FrameLedger::bottleneck() const {
 }
 
 std::uint64_t FrameLedger::filters(bool overlap) const {
-    return cycles(dequantize, overlap) + cycles(low_pass, overlap) + cycles(composite, overlap);
+    return cycles(join, overlap) + cycles(dequantize, overlap) + cycles(low_pass, overlap) +
+           cycles(composite, overlap);
 }
 
 std::uint64_t FrameLedger::total(bool overlap) const {
@@ -132,10 +134,17 @@ std::uint64_t FrameLedger::total(bool overlap) const {
            filters(overlap);
 }
 
+std::uint64_t total(std::span<const FrameLedger> by_light, bool overlap) {
+    std::uint64_t sum = 0;
+    for (const FrameLedger& l : by_light)
+        sum += l.total(overlap) - FrameLedger::cycles(l.observer, overlap);
+    return by_light.empty() ? 0 : sum + FrameLedger::cycles(by_light[0].observer, overlap);
+}
+
 hw::Operations drawing_operations(const FrameInputs& in, const hw::MatrixWords& view,
                                   const raster::DrawCounts& counts, bool shades) {
     return raster::drawing_operations(counts, in.settings.machine, view.affine,
-                                      in.settings.sampling, shades, max_shininess(in.scene));
+                                      in.settings.sampling, shades, sample_cost(in.scene));
 }
 
 namespace {
@@ -151,6 +160,13 @@ FilteredLines lines_near_shadow(std::span<const std::uint8_t> mask, const Settin
     return n;
 }
 
+// The source that begins with a light; none for its further lights.
+std::optional<Source> source_at(const Scene& scene, std::size_t light) {
+    for (std::size_t s = 0; s < scene.sources_used(); ++s)
+        if (const Source source = scene.source(s); source.first_light == light) return source;
+    return std::nullopt;
+}
+
 // Of filters that go through so many lines.
 void add_filters(const FrameInputs& in, std::uint64_t chain_steps, const FilteredLines& lines,
                  PhaseLedger& of_dequantize, PhaseLedger& of_low_pass, PhaseLedger& of_composite) {
@@ -161,44 +177,62 @@ void add_filters(const FrameInputs& in, std::uint64_t chain_steps, const Filtere
                                   lines.dequantize * size * cost::coverage_pixel,
                               in);
     of_low_pass = phase(lines.low_pass * size * cost::low_pass_pixel, in);
-    of_composite = phase(lines.composite * size * cost::composite_pixel, in);
+    of_composite =
+        phase(lines.composite * size * in.scene.channels * cost::composite_pixel, in);
+}
+
+template <class Depth>
+void add_source(const FrameInputs& in, const Source& source, const FrameBuffers<Depth>& frame,
+                const LightCounts& counts, FrameLedger& l) {
+    const Settings& s = in.settings;
+    const auto size = static_cast<std::uint64_t>(s.machine.size_px());
+    const auto passes = static_cast<std::uint64_t>(s.low_pass_passes);
+    if (source.has_area()) l.join = phase(size * size * cost::join_pixel(source.lights), in);
+    const std::uint64_t dequantized = source.has_area() ? 0 : size;
+    add_filters(in, counts.chain_steps, {dequantized, passes * size, size}, l.dequantize,
+                l.low_pass, l.composite);
+    l.lines.filtered = lines_near_shadow(frame.lights[source.first_light].joined, s);
+    if (source.has_area()) l.lines.filtered.dequantize = 0;
+    add_filters(in, counts.chain_steps, l.lines.filtered, l.dequantize_near, l.low_pass_near,
+                l.composite_near);
 }
 
 }  // namespace
 
 template <class Depth>
 FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame,
-                         const FrameCounts& counts) {
-    fixed::require(in.scene.light_count == 1, "a ledger is of a frame with one light");
+                         const FrameCounts& counts, std::size_t light, const FrameLedger* other) {
+    fixed::require(light < in.scene.light_count, "a ledger is of a light of the frame");
     const Settings& s = in.settings;
     const std::uint64_t pixels = std::uint64_t{1} << (2 * s.machine.xy_bits);
     const Method& method = method_of(in);
     FrameLedger l;
-    l.light = drawing(in, in.matrices.lights[0].world_to_light, counts.lights[0].map, *frame.draw,
-                      false, l.light_counts, l.light_inside);
-    l.observer = drawing(in, in.matrices.world_to_observer, counts.observer, *frame.draw, true,
-                         l.observer_counts, l.observer_inside);
+    l.light = drawing(in, in.matrices.lights[light].world_to_light, counts.lights[light].map,
+                      *frame.draw, false, l.light_counts, l.light_inside);
+    if (other != nullptr) {
+        l.observer = other->observer;
+        l.observer_counts = other->observer_counts;
+        l.observer_inside = other->observer_inside;
+    } else {
+        l.observer = drawing(in, in.matrices.world_to_observer, counts.observer, *frame.draw, true,
+                             l.observer_counts, l.observer_inside);
+    }
     const auto none = static_cast<Depth>(s.machine.background());
     l.visible = pixels - static_cast<std::uint64_t>(std::count(
                              frame.observer.depth.begin(), frame.observer.depth.end(), none));
-    if (method.scene_cost != nullptr) method.scene_cost(in, 0, l);
-    method.stages<Depth>().frame_cost(in, 0, frame, counts, l);
-    const std::uint64_t steps = counts.lights[0].chain_steps;
-    const auto size = static_cast<std::uint64_t>(s.machine.size_px());
-    const auto passes = static_cast<std::uint64_t>(s.low_pass_passes);
-    add_filters(in, steps, {size, passes * size, size}, l.dequantize, l.low_pass, l.composite);
+    if (method.scene_cost != nullptr) method.scene_cost(in, light, l);
+    method.stages<Depth>().frame_cost(in, light, frame, counts, l);
     l.lines.visible = lines_with_visible<Depth>(frame.observer.depth, s.machine.size_px(), none)
                           .count();
-    l.lines.filtered = lines_near_shadow(frame.lights[0].mask, s);
-    add_filters(in, steps, l.lines.filtered, l.dequantize_near, l.low_pass_near,
-                l.composite_near);
+    if (const std::optional<Source> source = source_at(in.scene, light))
+        add_source(in, *source, frame, counts.lights[light], l);
     return l;
 }
 
 #define UMBRA78_LEDGER(Depth)                                                             \
     template PostProcessLedger ledger_of(const ClockedPostProcess<Depth>&);               \
     template FrameLedger frame_ledger(const FrameInputs&, const FrameBuffers<Depth>&,     \
-                                      const FrameCounts&);
+                                      const FrameCounts&, std::size_t, const FrameLedger*);
 UMBRA78_LEDGER(hw::Depth16)
 UMBRA78_LEDGER(hw::Depth32)
 #undef UMBRA78_LEDGER

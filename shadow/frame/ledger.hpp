@@ -13,12 +13,15 @@
 #pragma once
 
 #include "hw/operations.hpp"
+#include "raster/drawing_cost.hpp"
 #include "shadow/ap120b/cost.hpp"
 #include "shadow/clocked/post_process.hpp"
 #include "shadow/frame/methods.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace umbra78::shadow {
@@ -50,12 +53,12 @@ PostProcessLedger closed_form(const Schedule&, const PostProcessPipeline&);
 template <class Depth>
 PostProcessLedger ledger_of(const ClockedPostProcess<Depth>& machine);
 
-// The max exponent of a highlight in the scene. Every shaded sample is costed with it.
-inline std::int32_t max_shininess(const Scene& scene) {
+// Every shaded sample is costed with the max exponent of a highlight in the scene.
+inline raster::SampleCost sample_cost(const Scene& scene) {
     std::int32_t max = 0;
     for (const raster::Material& m : scene.materials)
         max = m.shininess > max ? m.shininess : max;
-    return max;
+    return {max, scene.sources_used(), scene.channels};
 }
 
 // A phase that is costed in operations.
@@ -70,8 +73,10 @@ struct FrameLines {
     FilteredLines filtered;     // with a shadow near enough, whether they were filtered or not
 };
 
+// Of the frame as one of its lights has it: the observer's view is drawn once, whatever the lights.
+// The phases after the transformation are a source's and stand at its first light.
 struct FrameLedger {
-    PhaseLedger light, observer, dequantize, low_pass, composite;
+    PhaseLedger light, observer, join, dequantize, low_pass, composite;
     PhaseLedger dequantize_near, low_pass_near, composite_near;  // on lines.filtered alone
     // The transformation: one of these three, whichever the method fills.
     PostProcessLedger post_process;
@@ -102,10 +107,15 @@ struct FrameLedger {
 hw::Operations drawing_operations(const FrameInputs&, const hw::MatrixWords& view,
                                   const raster::DrawCounts&, bool shades);
 
-// Of a frame of one light that is done; traps for more lights. Draws each view once more, to count,
-// with nothing hidden and nothing stored: cycles must not depend on the order of the patches. A
-// stream is drawn with nothing hidden, and its counts are taken as they are.
+// Of a frame that is done. Draws the light's view and the observer's once more, to count, with
+// nothing hidden and nothing stored: cycles must not depend on the order of the patches. A stream
+// is drawn with nothing hidden, and its counts are taken as they are. `other`: another light's
+// ledger of the same frame, from which the observer's part is taken.
 template <class Depth>
-FrameLedger frame_ledger(const FrameInputs&, const FrameBuffers<Depth>&, const FrameCounts&);
+FrameLedger frame_ledger(const FrameInputs&, const FrameBuffers<Depth>&, const FrameCounts&,
+                         std::size_t light = 0, const FrameLedger* other = nullptr);
+
+// The whole frame's cycles from the ledgers of all its lights.
+std::uint64_t total(std::span<const FrameLedger> by_light, bool overlap);
 
 }  // namespace umbra78::shadow

@@ -57,14 +57,20 @@ constexpr MethodStages<Depth> post_process_stages{nullptr, cast_post_process<Dep
 template <class Depth>
 void draw_correct_form(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                        FrameCounts& counts) {
-    fixed::require(in.scene.light_count == 1, "the correct form shades by one light");
-    LightBuffers<Depth>& light = frame.lights[0];
     const Settings& settings = in.settings;
-    const hw::TransformUnit unit(settings.machine, in.matrices.lights[0].observer_to_light,
-                                 plan.unit_work());
-    const LightMap<Depth> map = light_map<Depth>(light.map, settings);
-    CorrectSink<Depth> sink(frame.observer, map, unit, settings, light.mask,
-                            work_of(plan).noise);
+    TestedLights<Depth> lights;
+    fixed::require(in.scene.light_count == in.scene.sources_used(),
+                   "the correct form has no lights with area");
+    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
+        if (plan.leaves_out(Omission::post_process, l)) continue;  // its mask is lit already
+        LightBuffers<Depth>& light = frame.lights[l];
+        lights[l].emplace(TestedLight<Depth>{
+            light_map<Depth>(light.map, settings),
+            hw::TransformUnit(settings.machine, in.matrices.lights[l].observer_to_light,
+                              plan.unit_work()),
+            light.mask});
+    }
+    CorrectSink<Depth> sink(frame.observer, lights, settings, work_of(plan).noise);
     counts.observer = draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame,
                                 sink);
 }
@@ -165,7 +171,7 @@ constexpr Method post_process_method{
 constexpr Method correct_method{
     .name = "correct",
     .meaning = "each generated point is tested before it is shaded (Williams 1978, p. 272)",
-    .cannot = "its cost grows with everything that is drawn; it shades by one light",
+    .cannot = "its cost grows with everything that is drawn; no light has an area",
     .form = Form::correct,
     .arithmetic = Arithmetic::fixed,
     .max_z_bits = 24,

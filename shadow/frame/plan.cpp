@@ -64,16 +64,21 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
                                                                        : needed(may_shadow);
 }
 
-void plan_filters(const FrameInputs& now, std::size_t l, FramePlan& plan) {
+// Of a source, under its first light.
+void plan_filters(const FrameInputs& now, const Source& source, FramePlan& plan) {
     const Settings& s = now.settings;
     const Method& method = method_of(now);
-    const bool lit = plan.leaves_out(Omission::post_process, l);
+    const std::size_t l = source.first_light;
+    bool lit = true;
+    for (std::size_t k = 0; k < source.lights; ++k)
+        lit = lit && plan.leaves_out(Omission::post_process, l + k);
     const auto filter = [&](int passes) {
         return passes == 0 ? left_out(no_passes) : lit ? left_out(nothing_shadowed)
                                                        : needed(asked_for);
     };
     plan.at(Omission::dequantize, l) = filter(s.dequantize_passes);
-    if (method.darkness == Darkness::graded) plan.at(Omission::dequantize, l) = left_out(graded);
+    if (method.darkness == Darkness::graded || source.has_area())
+        plan.at(Omission::dequantize, l) = left_out(graded);
     plan.at(Omission::low_pass, l) = filter(s.low_pass_passes);
     plan.at(Omission::lit_lines, l) = method.tests_when_drawn() ? needed(tested_when_drawn)
                                                                 : left_out(no_shadow_near);
@@ -113,10 +118,9 @@ FramePlan make_plan(const FrameInputs& now, const FrameInputs* before) {
     FramePlan plan;
     plan_unit(now, plan);
     plan_pixels(now, plan);
-    for (std::size_t l = 0; l < now.scene.light_count; ++l) {
-        plan_test(now, l, plan);
-        plan_filters(now, l, plan);
-    }
+    for (std::size_t l = 0; l < now.scene.light_count; ++l) plan_test(now, l, plan);
+    for (std::size_t s = 0; s < now.scene.sources_used(); ++s)
+        plan_filters(now, now.scene.source(s), plan);
     bool any_outside = plan.outside.observer > 0;
     for (std::size_t l = 0; l < now.scene.light_count; ++l)
         any_outside = any_outside || plan.outside.light[l] > 0;

@@ -44,6 +44,25 @@ enum class Omission : std::uint8_t {
 };
 inline constexpr std::size_t omission_count = 20;
 
+// What an omission is decided for: the frame, each light, or each source.
+enum class Scope : std::uint8_t { frame, light, source };
+constexpr Scope scope_of(Omission o) {
+    using enum Omission;
+    switch (o) {
+        case light_shading:
+        case light_map:
+        case post_process:
+        case light_drawing:
+        case same_light_map:
+        case same_mask: return Scope::light;
+        case dequantize:
+        case low_pass:
+        case composite:
+        case lit_lines: return Scope::source;
+        default: return Scope::frame;
+    }
+}
+
 // Why something is left out, or why it is not.
 enum class Reason : std::uint8_t {
     // left out
@@ -90,11 +109,18 @@ struct OutsideSurfaces {
 };
 
 struct FramePlan {
-    // By omission and light; what is not of a light is decided under light 0.
+    // By omission and light; what is not of a light is decided under light 0, and what is of a
+    // source (filters, composite) under the source's first light.
     std::array<std::array<Decision, max_lights>, omission_count> decisions{};
     OutsideSurfaces outside{};
 
     bool leaves_out(Omission o, std::size_t light = 0) const { return at(o, light).left_out; }
+    // For any light.
+    bool leaves_out_any(Omission o) const {
+        for (const Decision& d : decisions[static_cast<std::size_t>(o)])
+            if (d.left_out) return true;
+        return false;
+    }
     const Decision& at(Omission o, std::size_t light = 0) const {
         return decisions[static_cast<std::size_t>(o)][light];
     }

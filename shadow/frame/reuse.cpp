@@ -8,10 +8,6 @@
 namespace umbra78::shadow {
 namespace {
 
-bool same(const raster::Material& a, const raster::Material& b) {
-    return a.diffuse == b.diffuse && a.specular == b.specular && a.shininess == b.shininess;
-}
-
 bool same(const raster::Toward& a, const raster::Toward& b) {
     return a.to_point == b.to_point && a.direction == b.direction && a.point == b.point;
 }
@@ -57,8 +53,7 @@ bool same_surfaces(const FrameInputs& a, const FrameInputs& b) {
                      return alike(p, q) && p.normal == q.normal;
                  }) &&
            std::ranges::equal(a.scene.mesh.normals, b.scene.mesh.normals) &&
-           equal(a.scene.materials, b.scene.materials,
-                 [](const auto& p, const auto& q) { return same(p, q); });
+           std::ranges::equal(a.scene.materials, b.scene.materials);
 }
 
 bool same_shading(const FrameInputs& a, const FrameInputs& b) {
@@ -67,9 +62,12 @@ bool same_shading(const FrameInputs& a, const FrameInputs& b) {
     };
     bool alike = same_surfaces(a, b) && a.settings.ambient_q8 == b.settings.ambient_q8 &&
                  same(viewer(a), viewer(b));
-    for (std::size_t l = 0; l < b.scene.light_count; ++l)
-        alike = alike && same(raster::toward_eye(a.scene.lights[l], a.matrices.object),
-                              raster::toward_eye(b.scene.lights[l], b.matrices.object));
+    for (std::size_t s = 0; s < b.scene.sources_used(); ++s) {
+        const Source was = a.scene.source(s), is = b.scene.source(s);
+        alike = alike && was.level_q8 == is.level_q8 &&
+                same(raster::toward_eye(was.place, a.matrices.object),
+                     raster::toward_eye(is.place, b.matrices.object));
+    }
     return alike;
 }
 
@@ -104,7 +102,7 @@ bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) 
 
 Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     Reuse r;
-    if (before.scene.light_count != now.scene.light_count) return r;
+    if (FrameShape(before.scene) != FrameShape(now.scene)) return r;  // other planes
     if (before.scene.streamed || now.scene.streamed) return r;  // surfaces that nobody holds
     const bool drawing = same_drawing(before, now);
     const bool method = &method_of(before) == &method_of(now);

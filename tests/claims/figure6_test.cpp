@@ -144,7 +144,7 @@ TEST(Figure6, AFullShadowOfDensityOneIsTheAmbientTerm) {
     Settings s = figure_settings(6);
     s.density_q8 = 256;
     const Machine black(s);
-    const int ambient = (shadow::figure_material.diffuse * s.ambient_q8 + 128) / 256;
+    const int ambient = (shadow::figure_material.diffuse[0] * s.ambient_q8 + 128) / 256;
     int in_shadow = 0;
     for (std::size_t a = 0; a < black.visible.size(); ++a) {
         if (black.buffers().lights[0].filtered[a] != shadow::mask_shadow) continue;

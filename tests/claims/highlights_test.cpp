@@ -29,7 +29,7 @@ Highlights highlights(const char* what, Form form) {
     matte.materials[0].specular = 0;
     const Machine glossy(s);
     const shadow::test::Frame<> dull(matte.scene(), s);
-    const int ambient = (shadow::figure_material.diffuse * s.ambient_q8 + 128) / 256;
+    const int ambient = (shadow::figure_material.diffuse[0] * s.ambient_q8 + 128) / 256;
     Highlights h;
     int sum = 0;
     for (std::size_t a = 0; a < glossy.visible.size(); ++a) {

@@ -66,7 +66,7 @@ struct ExactShading {
 
     ExactShading(const std::array<ExactComponent, 3>& world, const ShadingSpec& spec,
                  const Material& m)
-        : normal{}, place{}, ambient(spec.ambient_q8), material(m), light(spec.light),
+        : normal{}, place{}, ambient(spec.ambient_q8), material(m), light(spec.sources[0].toward),
           viewer(spec.viewer) {
         for (std::size_t v = 0; v < 2; ++v) {
             for (std::size_t u = 0; u < 2; ++u) {
@@ -120,15 +120,15 @@ struct ExactShading {
             nl = -nl;
             nv = -nv;
         }
-        const Int128 unlit = material.diffuse * power(14) * ambient;
+        const Int128 unlit = material.diffuse[0] * power(14) * ambient;
         Int128 s = unlit;
         if (nl > 0 && !in_shadow) {
             Int128 r = floor_of(2 * nl * nv, power(14)) - floor_of(exact_dot(l, v), power(14));
             r = std::clamp<Int128>(r, 0, power(14));
             for (int k = 0; k < material.shininess; ++k) r = half_up_of(r * r, power(14));
-            s += material.diffuse * (256 - ambient) * nl + 256 * material.specular * r;
+            s += material.diffuse[0] * (256 - ambient) * nl + 256 * material.specular[0] * r;
         }
-        return {level(s), static_cast<std::uint8_t>(level(s) - level(unlit))};
+        return {level(s), {static_cast<std::uint8_t>(level(s) - level(unlit))}};
     }
 };
 

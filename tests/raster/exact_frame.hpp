@@ -163,10 +163,10 @@ private:
                            static_cast<std::size_t>(s.px);
             if (*code > depth[a]) return;
             const Shade shade = shading.shade(s.i, s.j, false);
-            if (*code == depth[a] && shade >= Shade{intensity[a], direct[a]}) return;
+            if (*code == depth[a] && shade >= Shade{intensity[a], {direct[a]}}) return;
             depth[a] = *code;
             intensity[a] = shade.intensity;
-            direct[a] = shade.direct;
+            direct[a] = shade.direct[0];
         });
     }
 

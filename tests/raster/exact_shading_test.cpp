@@ -63,20 +63,20 @@ TEST(Shading, LevelsAreTheTextsBitForBit) {
         for (int k = 0; k < 6; ++k) {
             const int i = static_cast<int>(random.bits() % 16);
             const int j = static_cast<int>(random.bits() % 16);
-            const Shade in_light = shading.shade(i, j, false);
-            const Shade in_shadow = shading.shade(i, j, true);
+            const Shade in_light = shading.shade(i, j, 0)[0];
+            const Shade in_shadow = shading.shade(i, j, 1)[0];
             const Shade expected = exact.shade(i, j, false);
             ASSERT_EQ(in_light, expected) << "case " << n << ", leaf " << i << ", " << j;
             ASSERT_EQ(in_shadow, exact.shade(i, j, true))
                 << "case " << n << ", leaf " << i << ", " << j;
             // The direct share is what a shadow takes away, whatever is cut at 255.
-            ASSERT_EQ(in_light.intensity - in_light.direct, in_shadow.intensity);
-            ASSERT_EQ(in_shadow.direct, 0);
+            ASSERT_EQ(in_light.intensity - in_light.direct[0], in_shadow.intensity);
+            ASSERT_EQ(in_shadow.direct[0], 0);
             const int lit = in_light.intensity, dark = in_shadow.intensity;
             cut += lit == 255 ? 1 : 0;
             ++seen[static_cast<std::size_t>(lit)];
             unlit += lit == dark ? 1 : 0;
-            highlights += lit - dark > material.diffuse ? 1 : 0;
+            highlights += lit - dark > material.diffuse[0] ? 1 : 0;
         }
     }
     EXPECT_GT(std::count_if(seen.begin(), seen.end(), [](int c) { return c > 0; }), 250);
@@ -93,7 +93,7 @@ TEST(Shading, LightAlongTheSurfaceIsNoLight) {
     const Material shiny{200, 255, 0};
     const auto level = [&](const UnitVector& light, const UnitVector& viewer) {
         const ShadingSpec spec{64, {false, light, {}}, {false, viewer, {}}};
-        return int{BlockShading(world, spec, shiny).shade(4, 9, false).intensity};
+        return int{BlockShading(world, spec, shiny).shade(4, 9, 0)[0].intensity};
     };
     const UnitVector above{0, 0, 1 << 14}, grazing{-(1 << 14), 0, 1};
     // N.L = 0: no light, though the mirror direction is the viewer's.
@@ -106,7 +106,7 @@ TEST(Shading, LightAlongTheSurfaceIsNoLight) {
     for (int shininess = 0; shininess <= 8; ++shininess) {
         const Material m{0, 255, shininess};
         const ShadingSpec spec{0, {false, low, {}}, {false, {16000, 0, 3528}, {}}};
-        EXPECT_EQ(BlockShading(world, spec, m).shade(0, 0, false).intensity, 0) << shininess;
+        EXPECT_EQ(BlockShading(world, spec, m).shade(0, 0, 0)[0].intensity, 0) << shininess;
     }
     // N.V = 0 is seen from the front: nothing is turned.
     EXPECT_EQ(level(above, {1 << 14, 0, 0}), 200);
@@ -122,7 +122,7 @@ TEST(Shading, AHighlightIsNoBrighterThanTheMaterials) {
         const UnitVector light = random_unit(random);
         const Material m{0, 200, 8};
         const ShadingSpec spec{0, {false, light, {}}, {false, light, {}}};
-        const int level = BlockShading(world, spec, m).shade(7, 8, false).intensity;
+        const int level = BlockShading(world, spec, m).shade(7, 8, 0)[0].intensity;
         ASSERT_LE(level, 200);
         full += level == 200 ? 1 : 0;
     }

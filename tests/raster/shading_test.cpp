@@ -23,9 +23,9 @@ double level_of(const Material& m, double ambient, double nl, double nv, double 
         nl = -nl;
         nv = -nv;
     }
-    double level = m.diffuse * (ambient + (1 - ambient) * std::max(0.0, nl));
+    double level = m.diffuse[0] * (ambient + (1 - ambient) * std::max(0.0, nl));
     if (nl > 0)
-        level += m.specular * std::pow(std::clamp(2 * nl * nv - lv, 0.0, 1.0), 1 << m.shininess);
+        level += m.specular[0] * std::pow(std::clamp(2 * nl * nv - lv, 0.0, 1.0), 1 << m.shininess);
     return std::min(level, 255.0);
 }
 
@@ -60,11 +60,11 @@ TEST(Shading, IsLambertsCosineOnBothSides) {
         const Vector3 light = unit3({0.6, 0.7, 0.2}), viewer = unit3({0.5, 0.1, -1});
         const ShadingSpec spec{77, {false, q14(light), {}}, {false, q14(viewer), {}}};
         const double expected = level_of(matt, 77 / 256.0, normal, light, viewer);
-        const int front = BlockShading(flat(u, v), spec, matt).shade(3, 9, false).intensity;
+        const int front = BlockShading(flat(u, v), spec, matt).shade(3, 9, 0)[0].intensity;
         EXPECT_NEAR(front, expected, 0.6) << degrees;
-        EXPECT_EQ(BlockShading(flat(v, u), spec, matt).shade(3, 9, false).intensity, front)
+        EXPECT_EQ(BlockShading(flat(v, u), spec, matt).shade(3, 9, 0)[0].intensity, front)
             << "turned over, " << degrees << " degrees";
-        EXPECT_EQ(BlockShading(flat(u, v), spec, matt).shade(3, 9, true).intensity,
+        EXPECT_EQ(BlockShading(flat(u, v), spec, matt).shade(3, 9, 1)[0].intensity,
                   (200 * 77 + 128) / 256)
             << "in shadow: ambient alone";
     }
@@ -86,10 +86,10 @@ TEST(Shading, OfCoincidentControlPointsIsTheFlatBlocks) {
     const ShadingSpec spec{77, {false, q14(unit3({0.6, -0.7, 0.8})), {}},
                            {false, q14({0, 0, 1}), {}}};
     const BlockShading right(even, spec, matt), shading(doubled, spec, matt);
-    EXPECT_GT(right.shade(3, 12, false).intensity, 70);  // not ambient light alone, which is 60
+    EXPECT_GT(right.shade(3, 12, 0)[0].intensity, 70);  // not ambient light alone, which is 60
     for (int leaf = 0; leaf < 256; ++leaf)
-        EXPECT_EQ(shading.shade(leaf % 16, leaf / 16, false).intensity,
-                  right.shade(leaf % 16, leaf / 16, false).intensity) << leaf;
+        EXPECT_EQ(shading.shade(leaf % 16, leaf / 16, 0)[0].intensity,
+                  right.shade(leaf % 16, leaf / 16, 0)[0].intensity) << leaf;
     // One edge a point as well: the opposite edge's chord.
     std::array<Component, 3> tip = doubled;
     for (Component& c : tip) {
@@ -98,7 +98,7 @@ TEST(Shading, OfCoincidentControlPointsIsTheFlatBlocks) {
         c.gv[1] = 3 * (c.f[3] - c.f[1]) / 4;
         c.gv[3] = -c.gv[1];
     }
-    EXPECT_GT(BlockShading(tip, spec, matt).shade(8, 15, false).intensity, 70);
+    EXPECT_GT(BlockShading(tip, spec, matt).shade(8, 15, 0)[0].intensity, 70);
 }
 
 TEST(Shading, TheHighlightIsBrightestInTheMirrorDirection) {
@@ -111,10 +111,10 @@ TEST(Shading, TheHighlightIsBrightestInTheMirrorDirection) {
         const double angle = degrees * 3.14159265358979 / 180;
         const Vector3 normal{std::sin(angle), 0, std::cos(angle)};
         const Vector3 across{std::cos(angle), 0, -std::sin(angle)};
-        const int level = BlockShading(flat(across, up), spec, shiny).shade(0, 0, false).intensity;
+        const int level = BlockShading(flat(across, up), spec, shiny).shade(0, 0, 0)[0].intensity;
         const double expected = level_of(shiny, 0, normal, light, {-0.70710678, 0, 0.70710678});
         EXPECT_NEAR(level, expected, 1.5) << degrees;
-        EXPECT_EQ(BlockShading(flat(across, up), spec, shiny).shade(0, 0, true).intensity, 0);
+        EXPECT_EQ(BlockShading(flat(across, up), spec, shiny).shade(0, 0, 1)[0].intensity, 0);
         if (level > best) {
             best = level;
             best_degrees = degrees;
@@ -166,7 +166,7 @@ void expect_sphere_levels(double azimuth, double elevation, const Material& mate
     }
     EXPECT_GT(pixels, 20000);
     EXPECT_LT(worst_excess, 1) << "at " << worst_x << ", " << worst_y;
-    EXPECT_LT(worst, material.specular == 0 ? 2 : 5);
+    EXPECT_LT(worst, material.specular[0] == 0 ? 2 : 5);
     std::cout << "[ measured ] view " << azimuth << ", " << elevation << ": levels differ by "
               << worst << " at most, by " << worst_excess
               << " beyond the change within the pixel\n";

@@ -56,6 +56,13 @@ struct Inputs {
     hw::MatrixWords matrix{};
 };
 
+TestedLights<Depth16> tested(Inputs& i) {
+    TestedLights<Depth16> lights;
+    lights[0].emplace(TestedLight<Depth16>{light_map(i.maps.light, i.s),
+                                           hw::TransformUnit(i.s.machine, i.matrix), i.mask});
+    return lights;
+}
+
 using Pass = std::function<void(Inputs&)>;
 struct NamedPass {
     const char* name;
@@ -81,12 +88,11 @@ std::vector<NamedPass> passes() {
          false, false},
         {"correct form",
          [](Inputs& i) {
-             const hw::TransformUnit unit(i.s.machine, i.matrix);
-             const LightMap<Depth16> map = light_map(i.maps.light, i.s);
+             const TestedLights<Depth16> lights = tested(i);
              hw::FrameStore<Depth16> store = i.observer.store;
              store.xy_bits = i.maps.observer.xy_bits;
              store.depth = store.depth.first(i.maps.observer.depth.size());
-             CorrectSink<Depth16>(store, map, unit, i.s, i.mask);
+             CorrectSink<Depth16>(store, lights, i.s, false);
          },
          true, true},
     };
@@ -185,14 +191,13 @@ TEST(Contract, TheAp120bsHostSendsSixteenBits) {
 
 TEST(Contract, APicturesStoreHasIntensitiesAndDirectShares) {
     Inputs i;
-    const hw::TransformUnit unit(i.s.machine, i.matrix);
-    const LightMap<Depth16> map = light_map(i.maps.light, i.s);
+    const TestedLights<Depth16> lights = tested(i);
     using Store = hw::FrameStore<Depth16>;
     for (const auto plane : {&Store::intensity, &Store::direct}) {
         Store without = i.observer.store;
         without.*plane = {};
-        EXPECT_DEATH(CorrectSink<Depth16>(without, map, unit, i.s, i.mask),
-                     "the observer's store has no intensities or direct shares");
+        EXPECT_DEATH(CorrectSink<Depth16>(without, lights, i.s, false),
+                     "the store has no intensities or direct shares");
         EXPECT_DEATH(raster::PictureSink<Depth16>{without},
                      "the store has no intensities or direct shares");
     }

@@ -161,8 +161,8 @@ protected:
                         {0, 0, 1 << 14, 0},
                         {0, 0, 0, 1 << 14}}};
         shading.ambient_q8 = settings.ambient_q8;
-        shading.light.direction = {0, 0, 1 << raster::unit_fraction};
-        shading.viewer.direction = shading.light.direction;
+        shading.sources[0].toward.direction = {0, 0, 1 << raster::unit_fraction};
+        shading.viewer.direction = shading.sources[0].toward.direction;
         for (std::size_t k = 0; k < 4; ++k) {  // a square that faces light and viewer
             facing[0].f[k] = k % 2 == 0 ? -1000 : 1000;
             facing[1].f[k] = k < 2 ? -1000 : 1000;
@@ -187,12 +187,15 @@ protected:
     Result draw(std::span<const Point> points) {
         observer.store.clear(settings.machine);
         std::fill(mask.begin(), mask.end(), mask_lit);
-        const hw::TransformUnit unit(settings.machine, matrix);
-        const LightMap<hw::Depth16> map{light.store, settings.machine, settings.lookup,
-                                        settings.background};
-        CorrectSink<hw::Depth16> sink(observer.store, map, unit, settings, mask);
+        TestedLights<hw::Depth16> lights;
+        lights[0].emplace(TestedLight<hw::Depth16>{
+            {light.store, settings.machine, settings.lookup, settings.background},
+            hw::TransformUnit(settings.machine, matrix), mask});
+        CorrectSink<hw::Depth16> sink(observer.store, lights, settings,
+                                      needed_work(settings).noise);
         raster::ShadingSpec behind = shading;
-        behind.light.direction[2] = -behind.light.direction[2];
+        raster::UnitVector& to_light = behind.sources[0].toward.direction;
+        to_light[2] = -to_light[2];
         const raster::BlockShading lit(facing, shading, material), away(facing, behind, material);
         for (const Point& p : points)
             sink.sample(sample(p.shadowed), p.code, p.unlit ? &away : &lit);
@@ -268,9 +271,10 @@ TEST(CorrectSink, EverySampleIsTheSlowModels) {
         test::fill_depth(random, m, light.depth);
         std::vector<std::uint8_t> mask(observer.depth.size(), mask_lit);
         const hw::MatrixWords matrix = test::random_matrix(random, m, random.bits() % 2 == 0);
-        const hw::TransformUnit unit(m, matrix);
         const LightMap<hw::Depth32> map{light.store, m, s.lookup, s.background};
-        CorrectSink<hw::Depth32> sink(observer.store, map, unit, s, mask);
+        TestedLights<hw::Depth32> lights;
+        lights[0].emplace(TestedLight<hw::Depth32>{map, hw::TransformUnit(m, matrix), mask});
+        CorrectSink<hw::Depth32> sink(observer.store, lights, s, needed_work(s).noise);
         raster::ShadingSpec shading;
         const raster::Material material;  // it must outlive the shading, which refers to it
         const raster::BlockShading flat({}, shading, material);

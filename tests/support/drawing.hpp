@@ -106,7 +106,7 @@ public:
         setup.facing = facing;
         setup.shading.ambient_q8 = ambient_q8;
         setup.shading.viewer = raster::toward_eye(view, object);
-        if (light != nullptr) setup.shading.light = raster::toward_eye(*light, object);
+        if (light != nullptr) setup.shading.sources[0].toward = raster::toward_eye(*light, object);
         auto frame = store();
         const auto into = [&](auto sink) {
             if (may_hide) return raster::draw(surfaces, order, setup, *memory_, sink);

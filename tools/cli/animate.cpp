@@ -50,7 +50,7 @@ std::vector<AzimuthSweep> read_sweeps(const Options& options) {
 }
 
 bool has_point_light(const Options& options) try {
-    return load_scene(options.scene, options.set).light.projection ==
+    return load_scene(options.scene, options.set).light().projection ==
            raster::Projection::perspective;
 } catch (const SceneError&) {
     return false;
@@ -75,7 +75,11 @@ private:
         std::vector<std::string> set = options_.set;
         for (const AzimuthSweep& s : sweeps_) set.push_back(s.override_at(frame, options_.frames));
         try {
-            return std::make_unique<LoadedScene>(load_scene(options_.scene, set));
+            auto loaded = std::make_unique<LoadedScene>(load_scene(options_.scene, set));
+            if (loaded->is_coloured())
+                throw SceneError(fmt::format("{}: an animation is grey; give materials and lights "
+                                             "single levels", options_.scene));
+            return loaded;
         } catch (const SceneError&) {
             if (!options_.light.empty() && has_point_light(options_))
                 throw SceneError(fmt::format(

@@ -5,6 +5,7 @@
 #include "tools/paper/figure_costs.hpp"
 #include "tools/render/ap120b_report.hpp"
 #include "tools/render/cycle_report.hpp"
+#include "tools/render/light_costs.hpp"
 #include "tools/render/profile_costs.hpp"
 #include "tools/render/memory_report.hpp"
 #include "tools/render/report.hpp"
@@ -46,16 +47,30 @@ bool is_clocked(const LoadedScene& scene) {
 void one_profile(const Options& options, const LoadedScene& scene) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
-    if (!options.vcd.empty()) write_vcd(options.vcd, job);
-    const shadow::FrameLedger ledger = job.ledger();
+    if (!options.vcd.empty()) {
+        require_one_light(scene, "--vcd");
+        write_vcd(options.vcd, job);
+    }
+    const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
+    const shadow::FrameLedger& ledger = ledgers.front();
+    const std::vector<LightCost> lights = light_costs(scene, ledgers);
     const int clock_ns = scene.settings.timing.clock_ns;
     if (options.json) {
         ordered_json json{{"scene", options.scene}, {"ledger", to_json(ledger, clock_ns)}};
+        if (ledgers.size() > 1) {
+            json["frame_cycles"] = shadow::total(ledgers, true);
+            for (const LightCost& l : lights) json["lights"].push_back(to_json(l));
+        }
         if (is_clocked(scene)) json["memory"] = to_json(job.replay_memory());
         json["settings"] = settings_json(scene.settings);
         fmt::print("{}", print(json));
         return;
     }
+    if (ledgers.size() > 1)
+        fmt::print("{}: {} ns a cycle, {} depth maps; {:.1f} ms in all. What follows the table is "
+                   "of the first depth map alone.\n\n{}\n", options.scene, clock_ns,
+                   ledgers.size(), simulated_ms(shadow::total(ledgers, true), clock_ns),
+                   print(lights, clock_ns));
     fmt::print("{}: {} ns a cycle\n\n{}\n{}\n", options.scene, clock_ns,
                print_frame(ledger, clock_ns),
                ledger.on_array ? print(ledger.array, clock_ns)
@@ -86,7 +101,9 @@ void all_profiles(const Options& options) {
     std::vector<ProfileCost> costs;
     for (const shadow::Profile& profile : shadow::profiles()) {
         const std::string name(profile.name);
-        costs.push_back(profile_cost(scene_on(name, options), name));
+        const LoadedScene scene = scene_on(name, options);
+        require_one_light(scene, "umbra78 cycles --all");
+        costs.push_back(profile_cost(scene, name));
     }
     if (options.json) {
         ordered_json json{{"scene", options.scene}, {"profiles", to_json(costs)}};

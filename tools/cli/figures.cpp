@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <deque>
 #include <map>
 #include <memory>
 
@@ -38,7 +39,7 @@ struct Drawn {
     std::vector<Buffer> buffers() const {
         std::vector<Buffer> all = set.buffers();
         for (const DrawnScene& d : scenes)
-            if (d.left_out.empty()) all.push_back(d.buffer());
+            for (const Buffer& b : d.buffers()) all.push_back(b);
         return all;
     }
 };
@@ -53,10 +54,20 @@ Statuses statuses(const Drawn& drawn, const Hashes& hashes, std::span<const Gold
         result[name] = found == hashes.end() ? "none" : found->second == hash ? "ok" : "DIFFERS";
     };
     for (const Figure& f : drawn.set.figures()) add(f.golden, f.hash);
-    for (const DrawnScene& d : drawn.scenes) add(std::string(d.of->name), d.hash);
+    for (const DrawnScene& d : drawn.scenes)
+        for (const Buffer& b : d.buffers()) add(b.name, hash_of(b));
     for (const GoldenCheck& check : checks)
         if (!check.problem.empty()) result[check.buffer] = "DIFFERS";
     return result;
+}
+
+// Of all its channels: "ok" if all are.
+std::string status(const DrawnScene& d, const Statuses& goldens) {
+    std::string worst = "ok";
+    for (const Buffer& b : d.buffers())
+        if (const std::string& one = goldens.at(b.name); worst != "DIFFERS" && one != "ok")
+            worst = one;
+    return worst;
 }
 
 using Rate = std::optional<double>;
@@ -67,13 +78,14 @@ Rate false_light(const Figure& f) {
     return f.error ? Rate(f.error->all.false_light_rate()) : Rate();
 }
 
-// A scene's caption: what it shows, of how many pieces, its error.
-SheetCell cell_of(const DrawnScene& d, const std::string& title) {
+// A scene's caption: what it shows, of how many pieces, its error. `gray` outlives the cell.
+SheetCell cell_of(const DrawnScene& d, std::span<const std::uint8_t> gray,
+                  const std::string& title) {
     std::string pieces;
     if (d.patches > 0) pieces = fmt::format("{} patches", d.patches);
     if (d.triangles > 0)
         pieces += fmt::format("{}{} triangles", pieces.empty() ? "" : ", ", d.triangles);
-    SheetCell cell{d.size_px, d.size_px, d.picture, {title, pieces}};
+    SheetCell cell{d.size_px, d.size_px, gray, {title, pieces}};
     if (d.error)
         cell.caption.push_back(fmt::format("false shadow {} %, false light {} %",
                                            percent(d.error->all.false_shadow_rate()),
@@ -94,22 +106,29 @@ void write_contact_sheet(const Path& path, const Drawn& drawn, FileSet& files) {
     }
     for (const DrawnScene& d : drawn.scenes)
         if (d.of->figure)
-            cells.push_back(cell_of(d, fmt::format("Fig. {}: {}", d.of->name.substr(3),
-                                                   d.of->shows)));
+            cells.push_back(cell_of(d, d.channels.front(),
+                                    fmt::format("Fig. {}: {}", d.of->name.substr(3),
+                                                d.of->shows)));
     write_sheet(path, cells, {.columns = 3}, &files);
 }
 
 void write_scenes(const Path& out, const Drawn& drawn, FileSet& files) {
     if (drawn.scenes.empty()) return;
     std::vector<SheetCell> cells, smile_and_robot;
+    std::deque<std::vector<std::uint8_t>> grays;  // that the cells show
     for (const DrawnScene& d : drawn.scenes) {
         if (!d.left_out.empty()) continue;
+        grays.push_back(d.gray());
         if (d.of->name == "fig7b" || d.of->name == "fig8")
-            smile_and_robot.push_back({d.size_px, d.size_px, d.picture, {}});
-        const Path folder = d.of->figure ? out : out / "gallery";
-        write_png_gray(folder / fmt::format("{}.png", d.of->name), d.size_px, d.size_px, d.picture,
-                       &files);
-        if (!d.of->figure) cells.push_back(cell_of(d, std::string(d.of->shows)));
+            smile_and_robot.push_back({d.size_px, d.size_px, grays.back(), {}});
+        const Path file =
+            (d.of->figure ? out : out / "gallery") / fmt::format("{}.png", d.of->name);
+        if (d.coloured())
+            write_png_rgb(file, d.size_px, d.size_px, d.rgb, &files);
+        else
+            write_png_gray(file, d.size_px, d.size_px, grays.back(), &files);
+        if (!d.of->figure)
+            cells.push_back(cell_of(d, grays.back(), std::string(d.of->shows)));
     }
     write_sheet(out / "gallery" / "sheet.png", cells,
                 {.columns = 5, .halved = true, .text_scale = 1}, &files);
@@ -139,7 +158,7 @@ ordered_json to_json(const Drawn& drawn, const Statuses& goldens, double total_m
     }
     for (const DrawnScene& d : drawn.scenes) {
         ordered_json& row = json["scenes"].emplace_back(to_json(d));
-        if (d.left_out.empty()) row["golden"] = goldens.at(std::string(d.of->name));
+        if (d.left_out.empty()) row["golden"] = status(d, goldens);
     }
     for (const Buffer& buffer : drawn.buffers()) json["hashes"][buffer.name] = hash_of(buffer);
     json["total_host_ms"] = total_ms;
@@ -177,12 +196,13 @@ void print_scenes(const Drawn& drawn, const Statuses& goldens) {
             fmt::print("{:<14}left out: {}\n", name, d.left_out);
             continue;
         }
-        fmt::print("{:<14}{:<35}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", name, d.of->shows, d.hash,
-                   goldens.at(name), d.patches, d.triangles,
+        fmt::print("{:<14}{:<35}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", name, d.of->shows,
+                   d.coloured() ? "see figures.json" : hash_of(d.buffers().front()),
+                   status(d, goldens), d.patches, d.triangles,
                    percent(d.error ? d.error->all.false_shadow_rate() : Rate()),
                    percent(d.error ? d.error->all.false_light_rate() : Rate()));
     }
-    fmt::print("\nWhat the shadow of one light costs, over the observer's view alone:\n{}",
+    fmt::print("\nWhat the shadow of each light costs, over the observer's view alone:\n{}",
                cost_table(drawn.scenes));
 }
 

@@ -41,6 +41,11 @@ std::uint64_t pack_scene(const PackOptions& options) {
     std::vector<std::string> set = options.set;
     set.push_back("observer.recentre=\"off\"");
     const LoadedScene scene = load_scene(options.scene, set);
+    if (!std::ranges::all_of(scene.materials, [](const raster::Material& m) {
+            return m.diffuse.is_grey() && m.specular.is_grey();
+        }))
+        throw SceneError(fmt::format("{}: a coloured material cannot be packed, the form has grey "
+                                     "levels; make it grey", options.scene));
     PackedWriter writer(options.out, scene.materials, scene.surfaces().count());
     writer.add(scene.surfaces());
     writer.commit();

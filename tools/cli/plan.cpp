@@ -4,8 +4,10 @@
 #include "tools/render/frame_warnings.hpp"
 #include "tools/render/plan_text.hpp"
 #include "tools/render/report.hpp"
+#include "tools/scene/view_keys.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -28,7 +30,7 @@ struct Options {
 struct Planned {
     LoadedScene scene;
     RenderJob job;
-    shadow::FrameLedger ledger;
+    std::vector<shadow::FrameLedger> ledgers;  // by light
     Warnings warnings;
 
     explicit Planned(const Options& options)
@@ -36,21 +38,61 @@ struct Planned {
         const std::string_view refusal = shadow::method_of(job.inputs()).no_plan_cost;
         if (!refusal.empty()) throw SceneError(std::string(refusal));
         job.render();
-        ledger = job.ledger();
+        ledgers = job.ledgers();
         warnings = frame_warnings(scene, job, {});
     }
     const shadow::FramePlan& plan() const { return job.plan(); }
-    shadow::DrawnFrame drawn() const { return {job.inputs(), ledger}; }
+    const shadow::FrameLedger& ledger() const { return ledgers.front(); }
+    std::size_t lights() const { return ledgers.size(); }
+    shadow::DrawnFrame drawn() const { return {job.inputs(), ledgers}; }
     shadow::Saving saving(Omission o) const { return shadow::saving(o, plan(), drawn()); }
     shadow::FrameCycles cycles() const { return cycles_of(plan(), drawn()); }
     std::uint64_t everything() const { return total(cycles_of(shadow::FramePlan{}, drawn())); }
 };
 
+// An omission and why, for all lights that have the same reason.
+struct Decided {
+    Omission omission;
+    shadow::Decision decision;
+    std::vector<std::string> lights{};  // empty: for the frame, or its only light
+
+    std::string name() const {
+        return lights.empty() ? std::string(name_of(omission))
+                              : fmt::format("{}, {}", name_of(omission), fmt::join(lights, " "));
+    }
+};
+
+std::vector<Decided> decided(const Planned& planned, Omission o) {
+    const shadow::Scene& scene = planned.job.inputs().scene;
+    if (scope_of(o) == shadow::Scope::frame || planned.lights() == 1)
+        return {{o, planned.plan().at(o)}};
+    std::vector<Decided> all;
+    for (std::size_t s = 0; s < scene.sources_used(); ++s) {
+        const shadow::Source source = scene.source(s);
+        const std::string name = name_of_light(s, scene.sources_used());
+        for (std::size_t k = 0; k < (scope_of(o) == shadow::Scope::source ? 1 : source.lights);
+             ++k) {
+            const shadow::Decision d = planned.plan().at(o, source.first_light + k);
+            auto group = std::ranges::find_if(all, [&](const Decided& g) {
+                return g.decision.left_out == d.left_out && g.decision.reason == d.reason;
+            });
+            if (group == all.end()) group = all.insert(group, {o, d});
+            if (group->lights.empty() || group->lights.back() != name)
+                group->lights.push_back(name);
+        }
+    }
+    return all;
+}
+
 template <class Visit>
 void for_omissions(const Planned& planned, bool left_out, Visit visit) {
     for (std::size_t k = 0; k < shadow::omission_count; ++k) {
-        const auto o = static_cast<Omission>(k);
-        if (planned.plan().leaves_out(o) == left_out) visit(o, planned.plan().at(o));
+        bool first = true;
+        for (const Decided& d : decided(planned, static_cast<Omission>(k))) {
+            if (d.decision.left_out != left_out) continue;
+            visit(d, first);
+            first = false;
+        }
     }
 }
 
@@ -62,9 +104,9 @@ ordered_json to_json(const Options& options, const Planned& planned) {
                       {"triangles", planned.scene.facets.size()},
                       {"surfaces_outside_light", outside.light[0]},
                       {"surfaces_outside_observer", outside.observer},
-                      {"visible_pixels", planned.ledger.visible},
-                      {"visible_lines", planned.ledger.lines.visible},
-                      {"shadow_lines", planned.ledger.lines.filtered.dequantize}};
+                      {"visible_pixels", planned.ledger().visible},
+                      {"visible_lines", planned.ledger().lines.visible},
+                      {"shadow_lines", planned.ledger().lines.filtered.dequantize}};
     const shadow::FrameCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k)
         json["stages"].push_back({{"stage", key_of(static_cast<FrameStage>(k))},
@@ -77,12 +119,17 @@ ordered_json to_json(const Options& options, const Planned& planned) {
     for (std::size_t k = 0; k < shadow::omission_count; ++k) {
         const auto o = static_cast<Omission>(k);
         const shadow::Saving s = planned.saving(o);
-        ordered_json& row = json["omissions"].emplace_back();
-        row["omission"] = key_of(o);
-        row["left_out"] = planned.plan().leaves_out(o);
-        row["why"] = explain(planned.plan().at(o).reason);
-        row["saved_cycles"] = s.cycles;
-        row["after_drawing"] = s.after_drawing;
+        bool first = true;
+        for (const Decided& d : decided(planned, o)) {
+            ordered_json& row = json["omissions"].emplace_back();
+            row["omission"] = key_of(o);
+            if (!d.lights.empty()) row["lights"] = d.lights;
+            row["left_out"] = d.decision.left_out;
+            row["why"] = explain(d.decision.reason);
+            row["saved_cycles"] = first ? s.cycles : 0;  // of all lights, in the first row
+            row["after_drawing"] = s.after_drawing;
+            first = false;
+        }
     }
     json["cycles"] = total(cycles);
     json["cycles_of_everything"] = planned.everything();
@@ -98,6 +145,7 @@ void print_stages(const Planned& planned) {
     const shadow::FrameCycles cycles = planned.cycles();
     for (std::size_t k = 0; k < shadow::stage_count; ++k) {
         const shadow::StageCycles& c = cycles[k];
+        if (static_cast<FrameStage>(k) == FrameStage::join && c.total() == 0) continue;
         fmt::print("{:<20}", name_of(static_cast<FrameStage>(k)));
         for (const std::uint64_t n : {c.transform, c.divide, c.noise, c.store})
             fmt::print("{:>12}", n == 0 ? "-" : grouped(n));
@@ -112,25 +160,25 @@ void print_rows(const Options& options, const Planned& planned) {
     const shadow::OutsideSurfaces& outside = planned.plan().outside;
     fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} outside the light's view, "
                "{} outside the observer's\n",
-               options.scene, size, size, grouped(planned.ledger.visible),
+               options.scene, size, size, grouped(planned.ledger().visible),
                planned.scene.surfaces().count(), kinds_of_surfaces(planned.scene),
                outside.light[0], outside.observer);
-    const shadow::FrameLines& lines = planned.ledger.lines;
+    const shadow::FrameLines& lines = planned.ledger().lines;
     fmt::print("scan lines: {} with something visible, {} with a shadow, {} within the low-pass's "
                "reach of one\n\n",
                lines.visible, lines.filtered.dequantize, lines.filtered.composite);
     print_stages(planned);
     fmt::print("\n{:<30}{:>12}   {}\n", "left out", "cycles", "because");
     bool starred = false;
-    for_omissions(planned, true, [&](Omission o, const shadow::Decision& d) {
-        const shadow::Saving s = planned.saving(o);
+    for_omissions(planned, true, [&](const Decided& d, bool first) {
+        const shadow::Saving s = planned.saving(d.omission);
         starred |= s.after_drawing;
-        fmt::print("{:<30}{:>12}{}  {}\n", name_of(o), grouped(s.cycles),
-                   s.after_drawing ? "*" : " ", explain(d.reason));
+        fmt::print("{:<30}{:>12}{}  {}\n", d.name(), first ? grouped(s.cycles) : "\"",
+                   s.after_drawing ? "*" : " ", explain(d.decision.reason));
     });
     fmt::print("\n{:<45}{}\n", "needed", "because");
-    for_omissions(planned, false, [&](Omission o, const shadow::Decision& d) {
-        fmt::print("{:<45}{}\n", name_of(o), explain(d.reason));
+    for_omissions(planned, false, [&](const Decided& d, bool) {
+        fmt::print("{:<45}{}\n", d.name(), explain(d.decision.reason));
     });
     const std::uint64_t left = total(planned.cycles()), everything = planned.everything();
     const int ns = planned.scene.settings.timing.clock_ns;

@@ -4,10 +4,12 @@
 #include "tools/render/cycle_report.hpp"
 #include "tools/render/error_map.hpp"
 #include "tools/render/frame_warnings.hpp"
+#include "tools/render/light_costs.hpp"
 #include "tools/render/report.hpp"
 #include "tools/render/stream_watch.hpp"
 #include "tools/scene/scene_file.hpp"
 #include "tools/scene/settings_text.hpp"
+#include "tools/scene/view_keys.hpp"
 #include "tools/truth/patch_truth.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +31,9 @@ struct Options {
 };
 
 // Why a scene that is not of spheres and planes alone has none.
-const char* no_truth_because(const LoadedScene& scene) {
+const char* no_truth_because(const LoadedScene& scene, std::size_t light) {
+    if (!scene.lights[light].area.empty())
+        return "a light with an area: its shadow is no yes or no";
     if (scene.stream) return "a stream: its primitives are not held";
     return traces_patches() ? "free patches: there is no memory for their triangles"
                             : "free patches: built without Embree; install libembree-dev and "
@@ -39,7 +43,7 @@ const char* no_truth_because(const LoadedScene& scene) {
 struct Rendered {
     LoadedScene scene;
     RenderJob job;
-    std::optional<ShadowReport> error;
+    std::vector<std::optional<ShadowReport>> errors;  // by light; empty: none was asked for
     std::vector<std::uint8_t> map;  // the error map, if it is asked for
     Warnings warnings;
     std::uint64_t patches, triangles;
@@ -53,8 +57,14 @@ struct Rendered {
         } else {
             job.render();
         }
-        if (!options.no_truth) compare(options);
-        warnings = frame_warnings(scene, job, error);
+        if (!options.no_truth)
+            for (std::size_t l = 0; l < scene.lights.size(); ++l) compare(options, l);
+        warnings = frame_warnings(scene, job, error());
+    }
+
+    // The first light's.
+    std::optional<ShadowReport> error() const {
+        return errors.empty() ? std::nullopt : errors.front();
     }
 
 private:
@@ -68,19 +78,23 @@ private:
         scene.warnings.insert(scene.warnings.end(), found.begin(), found.end());
     }
 
-    void compare(const Options& options) {
+    // The error map is the first light's.
+    void compare(const Options& options, std::size_t light) {
+        const bool has_truth = !scene.stream && scene.lights[light].area.empty();
         const std::optional<SceneTruth> truth =
-            scene.stream ? std::nullopt : trace(scene);
-        if (!truth && !options.error_map.empty())
+            has_truth ? trace(scene, light) : std::nullopt;
+        const bool wants_map = light == 0 && !options.error_map.empty();
+        if (!truth && wants_map)
             throw SceneError(fmt::format("--error {}: {} has no exact truth: {}",
                                          options.error_map, options.scene,
-                                         no_truth_because(scene)));
+                                         no_truth_because(scene, light)));
+        errors.emplace_back();
         if (!truth) return;
         const std::vector<std::uint8_t> visible = job.visible();
         const Buffer depths = job.buffer(Plane::observer_z);
-        error = report(*truth, {job.bytes(Plane::filtered), visible},
-                       widened(light_texel_band(*truth), *truth, scene.settings), &depths);
-        if (!options.error_map.empty()) map = error_map(*truth, job);
+        errors.back() = report(*truth, {job.bytes({Plane::filtered, light}), visible},
+                               widened(light_texel_band(*truth), *truth, scene.settings), &depths);
+        if (wants_map) map = error_map(*truth, job);
     }
 };
 
@@ -100,19 +114,38 @@ void write_files(const Options& options, const Rendered& rendered) {
     FileSet files;
     if (!options.buffers.empty()) files.make_folder(options.buffers);  // the picture may be there
     const Buffer picture = rendered.job.buffer(Plane::picture);
-    write_png_gray(picture_path(options), picture.size_px, picture.size_px,
-                   rendered.job.bytes(Plane::picture), &files);
+    if (rendered.job.coloured())
+        write_png_rgb(picture_path(options), picture.size_px, picture.size_px, rendered.job.rgb(),
+                      &files);
+    else
+        write_png_gray(picture_path(options), picture.size_px, picture.size_px,
+                       rendered.job.bytes(Plane::picture), &files);
     if (!options.error_map.empty())
         write_png_rgb(options.error_map, picture.size_px, picture.size_px, rendered.map, &files);
     if (!options.buffers.empty()) {
         const Path folder = options.buffers;
-        for (const Plane plane : all_planes) {
+        for (const PlaneOf& plane : rendered.job.planes()) {
             const Buffer buffer = rendered.job.buffer(plane);
             write_pgm(folder / (buffer.name + ".pgm"), buffer, &files);
             write_npy(folder / (buffer.name + ".npy"), buffer, &files);
         }
     }
     files.commit();
+}
+
+// Of a scene with several depth maps; "machine" is then of the first light alone.
+ordered_json lights_json(const Rendered& rendered, std::span<const shadow::FrameLedger> ledgers) {
+    const int clock_ns = rendered.scene.settings.timing.clock_ns;
+    ordered_json rows = ordered_json::array();
+    for (const LightCost& cost : light_costs(rendered.scene, ledgers)) {
+        ordered_json& row = rows.emplace_back();
+        row = tools::to_json(cost);
+        row["bias"] = to_json(bias_report(rendered.job, cost.light));
+        if (!rendered.errors.empty()) row["error"] = to_json(rendered.errors[cost.light]);
+    }
+    return {{"frame_cycles", shadow::total(ledgers, true)},
+            {"frame_ms", simulated_ms(shadow::total(ledgers, true), clock_ns)},
+            {"lights", rows}};
 }
 
 ordered_json to_json(const Options& options, const Rendered& rendered) {
@@ -126,15 +159,43 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
                       {"peak_bytes", peak_bytes()}};
     if (rendered.scene.stream)
         json["stream_hash"] = fmt::format("{:016x}", rendered.scene.stream->hash());
-    for (const Plane plane : all_planes)
-        json["hashes"][name_of(plane)] = hash_of(job.buffer(plane));
-    json["error"] = to_json(rendered.error);
-    json["bias"] = to_json(bias_report(rendered.scene.light, job));
-    json["machine"] = tools::to_json(job.ledger(), rendered.scene.settings.timing.clock_ns);
+    for (const PlaneOf& plane : job.planes()) {
+        const Buffer buffer = job.buffer(plane);
+        json["hashes"][buffer.name] = hash_of(buffer);
+    }
+    json["error"] = to_json(rendered.error());
+    json["bias"] = to_json(bias_report(job));
+    const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
+    const int clock_ns = rendered.scene.settings.timing.clock_ns;
+    json["machine"] = tools::to_json(ledgers.front(), clock_ns);
+    if (rendered.scene.lights.size() > 1 || ledgers.size() > 1)
+        json["lights"] = lights_json(rendered, ledgers);
     json["host_ms"] = to_json(job.times());
     json["settings"] = settings_json(rendered.scene.settings);
     json["warnings"] = tools::to_json(rendered.warnings);
     return json;
+}
+
+// Of a light with an area the first map and mask; its darkness is what they come to.
+void print_planes(const RenderJob& job) {
+    const shadow::Scene& scene = job.inputs().scene;
+    const auto is_further = [&](const PlaneOf& of) {
+        if (of.plane != Plane::light_z && of.plane != Plane::mask) return false;
+        for (std::size_t s = 0; s < scene.sources_used(); ++s)
+            if (scene.source(s).first_light == of.light) return false;
+        return true;
+    };
+    std::size_t further = 0;
+    const int width = job.coloured() ? 15 : 11;
+    for (const PlaneOf& plane : job.planes()) {
+        if (is_further(plane)) {
+            ++further;
+            continue;
+        }
+        const Buffer buffer = job.buffer(plane);
+        fmt::print("{:<{}} {}\n", buffer.name, width, hash_of(buffer));
+    }
+    if (further > 0) fmt::print("            and {} more maps and masks: see --json\n", further);
 }
 
 void print_rows(const Options& options, const Rendered& rendered) {
@@ -142,15 +203,20 @@ void print_rows(const Options& options, const Rendered& rendered) {
     const int size = rendered.scene.settings.machine.size_px();
     fmt::print("{}: {} x {} pixels, {} {}\n", picture_path(options).string(), size, size,
                rendered.patches + rendered.triangles, kinds_of_surfaces(rendered.scene));
-    for (const Plane plane : all_planes)
-        fmt::print("{:<11} {}\n", name_of(plane), hash_of(job.buffer(plane)));
-    fmt::print("bias        {}\n", print(bias_report(rendered.scene.light, job)));
-    const shadow::FrameLedger ledger = job.ledger();
+    print_planes(job);
+    const std::size_t lights = rendered.scene.lights.size();
+    for (std::size_t l = 0; l < lights; ++l)
+        fmt::print("{:<11} {}\n", lights == 1 ? "bias" : "bias " + name_of_light(l, lights),
+                   print(bias_report(job, l)));
+    const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
     const int clock_ns = rendered.scene.settings.timing.clock_ns;
-    fmt::print("machine     {:.1f} ms at {} ns a cycle, {:.1f} of them for the transformation; see "
-               "umbra78 cycles\n",
-               simulated_ms(ledger.total(true), clock_ns), clock_ns,
-               simulated_ms(ledger.transformation(true), clock_ns));
+    std::uint64_t transformations = 0;
+    for (const shadow::FrameLedger& l : ledgers) transformations += l.transformation(true);
+    fmt::print("machine     {:.1f} ms at {} ns a cycle, {:.1f} of them for the transformation{}; "
+               "see umbra78 cycles\n",
+               simulated_ms(shadow::total(ledgers, true), clock_ns), clock_ns,
+               simulated_ms(transformations, clock_ns), ledgers.size() == 1 ? "" : "s");
+    if (ledgers.size() > 1) fmt::print("{}", print(light_costs(rendered.scene, ledgers), clock_ns));
     const StageTimes& t = job.times();
     if (rendered.scene.stream)
         fmt::print("host        {:.1f} ms, the reading included, and {:.1f} MB of memory at most\n",
@@ -159,11 +225,15 @@ void print_rows(const Options& options, const Rendered& rendered) {
         fmt::print("host        {:.1f} ms: light {:.1f}, observer {:.1f}, shadow {:.1f}, filters "
                    "{:.1f}\n",
                    t.total_ms(), t.light_ms, t.observer_ms, t.post_process_ms, t.filters_ms);
-    if (rendered.error) {
-        fmt::print("{}", print(*rendered.error));
-    } else {
-        fmt::print("error       n/a ({})\n",
-                   options.no_truth ? "--no-truth" : no_truth_because(rendered.scene));
+    for (std::size_t l = 0; l < lights; ++l) {
+        if (lights > 1) fmt::print("{}\n", name_of_light(l, lights));
+        const bool compared = !rendered.errors.empty() && rendered.errors[l];
+        if (compared)
+            fmt::print("{}", print(*rendered.errors[l]));
+        else
+            fmt::print("error       n/a ({})\n", options.no_truth
+                                                     ? "--no-truth"
+                                                     : no_truth_because(rendered.scene, l));
     }
     if (!options.error_map.empty())
         fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);
@@ -194,7 +264,7 @@ void add_render_command(CLI::App& app, int&) {
                           "intensity, the mask before and after each filter, the picture");
     const Argument error_file = command.output(
         "--error", options->error_map, ".png",
-        std::string("The error map, over the picture: ") + error_map_legend);
+        fmt::format("The error map, over the picture: {}", error_map_legend));
     command.set(options->set);
     command
         .flag("--no-truth", options->no_truth,

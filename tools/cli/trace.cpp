@@ -43,6 +43,7 @@ std::string check_pixel(const std::string& text) {
 
 void run(const Options& options) {
     const LoadedScene scene = load_scene(options.scene, options.set);
+    require_one_light(scene, "umbra78 trace");
     RenderJob job(scene.view(), scene.settings);
     job.render();
     const PixelTrace trace = trace_pixel(job, *parse_pixel(options.pixel));

@@ -54,7 +54,7 @@ std::vector<BandRow> measure_bands(int bias_quanta) {
     std::vector<BandRow> rows;
     for (const int azimuth : {-100, -80, 80, 100}) {
         LoadedScene scene = figures_scene();
-        scene.light = shadow::figure_view(azimuth * 65536);
+        scene.light() = shadow::figure_view(azimuth * 65536);
         const SceneTruth truth = *trace(scene);
         for (const Sampling sampling : {Sampling::centre, Sampling::leaf}) {
             shadow::Settings settings = shadow::figure_settings(3);

@@ -24,7 +24,7 @@ LoadedScene figures_scene() {
     const shadow::FigurePatches patches = shadow::figure_patches();
     scene.patches.assign(patches.begin(), patches.end());
     scene.observer = shadow::figure_view(0);
-    scene.light = shadow::figure_view(shadow::figure_azimuth_q16);
+    scene.light() = shadow::figure_view(shadow::figure_azimuth_q16);
     scene.settings = figure_settings(shadow::figure_count);
     return scene;
 }
@@ -83,7 +83,7 @@ void FigureSet::add(int number, std::string shows, std::vector<std::uint8_t> pic
         error = report(truth_, {mask, visible_}, widened(band_, truth_, settings));
     figures_[static_cast<std::size_t>(number - 1)] = {
         number, std::move(shows), std::move(picture), golden.name,
-        hash_of(golden), cycles, host_ms, bias_report(scene_.light, job_),
+        hash_of(golden), cycles, host_ms, bias_report(job_),
         error, settings};
 }
 

@@ -35,18 +35,23 @@ constexpr ScenePicture table[] = {
     {.name = "mesh", .shows = "awkward polygons, flat, smooth", .scene = "mesh.toml"},
     {.name = "lamp", .shows = "a lamp over a table", .scene = "lamp.toml"},
     {.name = "corridor", .shows = "columns in steep perspective", .scene = "corridor.toml"},
+    {.name = "three_lights", .shows = "three coloured lights", .scene = "three_lights.toml"},
+    {.name = "penumbra", .shows = "a table under a lamp with area", .scene = "penumbra.toml"},
 };
 
 // The observer's view is drawn once more by itself, for its time is that of a frame without shadow.
 void measure(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
-    const shadow::FrameLedger ledger = job.ledger();
+    const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
     const StageTimes& t = job.times();
     made.clock_ns = scene.settings.timing.clock_ns;
-    made.cost = {ledger.total(true), of_figure(ledger, 1).total(true), t.total_ms(),
-                 t.matrices_ms + t.observer_ms};
+    made.lights = scene.lights.size();
+    made.maps = ledgers.size();
+    made.cost = {shadow::total(ledgers, true), of_figure(ledgers.front(), 1).total(true),
+                 t.total_ms(), t.matrices_ms + t.observer_ms};
 }
 
 void compare(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
+    if (scene.lights.size() > 1 || !scene.lights.front().area.empty()) return;
     const std::optional<SceneTruth> truth = trace(scene);
     if (!truth) return;
     const std::vector<std::uint8_t> visible = job.visible();
@@ -68,13 +73,14 @@ DrawnScene draw(const ScenePicture& of, const std::string& folder) {
     const LoadedScene scene = load_scene(fmt::format("{}/{}", folder, of.scene), set);
     RenderJob job(scene.view(), scene.settings);
     job.render();
-    const Buffer picture = job.buffer(Plane::picture);
-    const std::span<const std::uint8_t> bytes = job.bytes(Plane::picture);
-    made.size_px = picture.size_px;
+    made.size_px = scene.settings.machine.size_px();
+    for (std::size_t c = 0; c < (job.coloured() ? 3 : 1); ++c) {
+        const std::span<const std::uint8_t> bytes = job.bytes({Plane::picture, 0, c});
+        made.channels.emplace_back(bytes.begin(), bytes.end());
+    }
+    if (job.coloured()) made.rgb = job.rgb();
     made.patches = scene.patches.size();
     made.triangles = scene.facets.size();
-    made.picture.assign(bytes.begin(), bytes.end());
-    made.hash = hash_of(picture);
     measure(scene, job, made);
     compare(scene, job, made);
     made.warnings = lines_of(frame_warnings(scene, job, made.error));
@@ -84,6 +90,24 @@ DrawnScene draw(const ScenePicture& of, const std::string& folder) {
 }  // namespace
 
 std::span<const ScenePicture> scene_pictures() { return table; }
+
+std::vector<std::uint8_t> DrawnScene::gray() const {
+    if (!coloured()) return channels.front();
+    std::vector<std::uint8_t> made;
+    for (std::size_t a = 0; a < channels[0].size(); ++a)
+        made.push_back(static_cast<std::uint8_t>(
+            (channels[0][a] + 2 * channels[1][a] + channels[2][a] + 2) / 4));
+    return made;
+}
+
+std::vector<Buffer> DrawnScene::buffers() const {
+    constexpr const char* names[] = {"_red", "_green", "_blue"};
+    std::vector<Buffer> made;
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        made.push_back({std::string(of->name) + (coloured() ? names[c] : ""), size_px, 255,
+                        std::span<const std::uint8_t>(channels[c])});
+    return made;
+}
 
 std::vector<DrawnScene> draw_scene_pictures(const std::string& folder) {
     std::vector<DrawnScene> drawn(std::size(table));
@@ -108,7 +132,7 @@ std::vector<DrawnScene> draw_scene_pictures(const std::string& folder) {
 }
 
 std::string cost_table(std::span<const DrawnScene> drawn) {
-    std::vector<std::vector<std::string>> rows{{"picture", "patches", "triangles",
+    std::vector<std::vector<std::string>> rows{{"picture", "patches", "triangles", "depth maps",
                                                 "machine ms without", "with", "times",
                                                 "host ms without", "with", "times"}};
     for (const DrawnScene& d : drawn) {
@@ -117,7 +141,8 @@ std::string cost_table(std::span<const DrawnScene> drawn) {
             return fmt::format("{:.1f}", simulated_ms(cycles, d.clock_ns));
         };
         rows.push_back({std::string(d.of->name), fmt::format("{}", d.patches),
-                        fmt::format("{}", d.triangles), ms(d.cost.cycles_without),
+                        fmt::format("{}", d.triangles), fmt::format("{}", d.maps),
+                        ms(d.cost.cycles_without),
                         ms(d.cost.cycles), fmt::format("{:.2f}", d.cost.times_cycles()),
                         fmt::format("{:.1f}", d.cost.host_ms_without),
                         fmt::format("{:.1f}", d.cost.host_ms),
@@ -135,7 +160,9 @@ nlohmann::ordered_json to_json(const DrawnScene& d) {
     }
     json["patches"] = d.patches;
     json["triangles"] = d.triangles;
-    json["hash"] = d.hash;
+    json["lights"] = d.lights;
+    json["depth_maps"] = d.maps;
+    for (const Buffer& b : d.buffers()) json[d.coloured() ? b.name : "hash"] = hash_of(b);
     json["machine_cycles"] = d.cost.cycles;
     json["machine_cycles_without_shadow"] = d.cost.cycles_without;
     json["host_ms"] = d.cost.host_ms;

@@ -43,15 +43,18 @@ struct DrawnScene {
     std::string left_out;  // why, in a line; then there is nothing else
     std::size_t patches = 0, triangles = 0;
     int size_px = 0, clock_ns = 0;
-    std::vector<std::uint8_t> picture;
-    std::string hash;  // of the picture
+    std::vector<std::vector<std::uint8_t>> channels;  // of the picture: one, or red, green, blue
+    std::vector<std::uint8_t> rgb;  // of a coloured one
+    std::size_t lights = 1, maps = 1;
     ShadowCost cost;
-    std::optional<ShadowReport> error;
+    std::optional<ShadowReport> error;  // of a scene with one light that is no area
     std::vector<std::string> warnings;
 
-    Buffer buffer() const {
-        return {std::string(of->name), size_px, 255, std::span<const std::uint8_t>(picture)};
-    }
+    bool coloured() const { return channels.size() > 1; }
+    // What a sheet of grays shows: of a coloured one the mean, with green twice.
+    std::vector<std::uint8_t> gray() const;
+    // The golden's buffers: NAME, or NAME_red, NAME_green, NAME_blue.
+    std::vector<Buffer> buffers() const;
 };
 
 // Draws them all from the scene files in `folder`, several at a time, in the table's order.

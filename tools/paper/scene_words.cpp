@@ -47,7 +47,7 @@ void check(const LoadedScene& scene) {
     require(scene.planes.empty() && scene.has_closed_form() && !scene.spheres.empty(),
             "spheres alone");
     for (const raster::Sphere& s : scene.spheres) require(s.material == 0, "one material");
-    for (const raster::View& v : {scene.observer, scene.light})
+    for (const raster::View& v : {scene.observer, scene.light()})
         require(v.projection == raster::Projection::orthographic &&
                     v.target == raster::World{} && v.extent == scene.observer.extent &&
                     v.near_depth == -v.extent && v.far_depth == v.extent,
@@ -102,7 +102,7 @@ std::string paper_scene_words(const LoadedScene& scene) {
                         "inline constexpr raster::Material material{{{}, {}, {}}};\n"
                         "inline constexpr std::int32_t light_azimuth_q16 = {};\n"
                         "inline constexpr std::int32_t extent_q16 = {};\n\n",
-                        m.diffuse, m.specular, m.shininess, azimuth_q16(scene.light),
+                        m.diffuse[0], m.specular[0], m.shininess, azimuth_q16(scene.light()),
                         scene.observer.extent);
     return text + settings_text(scene.settings) + std::string(tail);
 }

@@ -2,6 +2,7 @@
 
 #include "tools/io/console.hpp"
 #include "tools/scene/view_fit.hpp"
+#include "tools/scene/view_keys.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -46,7 +47,13 @@ Warnings frame_warnings(const LoadedScene& scene, const RenderJob& job,
     const std::size_t of_scene = warnings.size();
     warn_of_blocks(job.counts().observer.unresolved, "observer", "are not in the picture",
                    warnings);
-    warn_of_blocks(job.counts().lights[0].map.unresolved, "light", "cast no shadow", warnings);
+    std::size_t next = 0;  // of the lights' depth maps
+    for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+        std::uint64_t dropped = 0;
+        for (std::size_t k = 0; k < scene.lights[l].views().size(); ++k)
+            dropped += job.counts().lights[next++].map.unresolved;
+        warn_of_blocks(dropped, name_of_light(l, scene.lights.size()), "cast no shadow", warnings);
+    }
     const std::vector<std::uint8_t> visible = job.visible();
     const bool nothing = std::count(visible.begin(), visible.end(), 1) == 0;
     const bool drawn = job.counts().observer.patches + job.counts().observer.facets > 0;

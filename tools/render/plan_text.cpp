@@ -41,6 +41,7 @@ constexpr std::array<Names, shadow::stage_count> stages{{
     {"light", "light's view"},
     {"observer", "observer's view"},
     {"post_process", "post-process"},
+    {"join", "darkness of an area"},
     {"dequantize", "edge dequantizing"},
     {"low_pass", "low-pass"},
     {"composite", "composite"},

@@ -35,9 +35,10 @@ template <class Depth>
 void RenderJob::allocate() {
     const hw::MachineSpec& machine = settings().machine;
     patches_ = inputs_.scene.patches.size();
-    bytes_ = shadow::frame_bytes<Depth>(machine, patches_);
+    const shadow::FrameShape shape(inputs_.scene);
+    bytes_ = shadow::frame_bytes<Depth>(machine, patches_, shape);
     memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
-    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_);
+    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, shape);
 }
 
 void RenderJob::use(const shadow::Settings& settings) {
@@ -56,6 +57,8 @@ void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings&
         throw SceneError(fmt::format("this frame was made for xy_bits {} and z_bits {}: for {} and "
                                      "{} make another",
                                      now.xy_bits, now.z_bits, next.xy_bits, next.z_bits));
+    if (shadow::FrameShape(scene) != shadow::FrameShape(inputs_.scene))
+        throw SceneError("this frame was made for other lights, or in grey: make another");
     if (scene.patches.size() > patches_)
         throw SceneError(fmt::format("this frame was made for {} patches: for {} make another",
                                      patches_, scene.patches.size()));
@@ -126,12 +129,19 @@ void RenderJob::render_stream(raster::PrimitiveSource& source, const PrimitiveSt
     }
 }
 
-shadow::FrameLedger RenderJob::ledger() const {
+shadow::FrameLedger RenderJob::ledger(std::size_t light, const shadow::FrameLedger* other) const {
     return std::visit(
         [&](const auto& frame) {
-            return shadow::frame_ledger(inputs_, frame, counts_);
+            return shadow::frame_ledger(inputs_, frame, counts_, light, other);
         },
         frame_);
+}
+
+std::vector<shadow::FrameLedger> RenderJob::ledgers() const {
+    std::vector<shadow::FrameLedger> made{ledger()};
+    for (std::size_t l = 1; l < inputs_.scene.light_count; ++l)
+        made.push_back(ledger(l, &made.front()));
+    return made;
 }
 
 shadow::MemoryLedger RenderJob::replay_memory() const {
@@ -145,42 +155,82 @@ shadow::MemoryLedger RenderJob::replay_memory() const {
         frame_);
 }
 
-const char* name_of(Plane plane) {
-    constexpr const char* names[] = {"observer_z", "light_z", "intensity", "direct",
-                                     "mask",       "edges",   "filtered",  "picture"};
-    return names[static_cast<std::size_t>(plane)];
+std::string name_of(const PlaneOf& of, bool coloured) {
+    constexpr const char* names[] = {"observer_z", "light_z",  "intensity", "direct", "mask",
+                                     "darkness",   "edges",    "filtered",  "picture"};
+    constexpr const char* channels[] = {"_red", "_green", "_blue"};
+    const bool has_channel = of.plane == Plane::intensity || of.plane == Plane::direct ||
+                             of.plane == Plane::picture;
+    return fmt::format("{}{}{}", names[static_cast<std::size_t>(of.plane)],
+                       of.light > 0 ? fmt::format("{}", of.light + 1) : "",
+                       coloured && has_channel ? channels[of.channel] : "");
 }
 
-Buffer RenderJob::buffer(Plane plane) const {
+std::vector<PlaneOf> RenderJob::planes() const {
+    const shadow::Scene& scene = inputs_.scene;
+    const std::size_t sources = scene.sources_used();
+    std::vector<PlaneOf> all{Plane::observer_z};
+    const auto add = [&](Plane plane, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) all.emplace_back(plane, k);
+    };
+    add(Plane::light_z, scene.light_count);
+    for (std::size_t c = 0; c < scene.channels; ++c) {
+        all.emplace_back(Plane::intensity, 0, c);
+        for (std::size_t s = 0; s < sources; ++s) all.emplace_back(Plane::direct, s, c);
+    }
+    add(Plane::mask, scene.light_count);
+    for (std::size_t s = 0; s < sources; ++s)
+        if (scene.source(s).has_area()) all.emplace_back(Plane::darkness, s);
+    add(Plane::edges, sources);
+    add(Plane::filtered, sources);
+    for (std::size_t c = 0; c < scene.channels; ++c) all.emplace_back(Plane::picture, 0, c);
+    return all;
+}
+
+Buffer RenderJob::buffer(const PlaneOf& of) const {
     const hw::MachineSpec& spec = settings().machine;
+    const std::string name = name_of(of, coloured());
     const auto depth = [&](const auto& store) {
         using Word = typename std::remove_cvref_t<decltype(store.depth)>::value_type;
-        return Buffer{name_of(plane), spec.size_px(), spec.background(),
-                      std::span<const Word>(store.depth)};
+        return Buffer{name, spec.size_px(), spec.background(), std::span<const Word>(store.depth)};
     };
     return std::visit(
         [&](const auto& frame) {
-            if (plane == Plane::observer_z) return depth(frame.observer);
-            if (plane == Plane::light_z) return depth(frame.lights[0].map);
-            return Buffer{name_of(plane), spec.size_px(), 255, bytes(plane)};
+            if (of.plane == Plane::observer_z) return depth(frame.observer);
+            if (of.plane == Plane::light_z) return depth(frame.lights[of.light].map);
+            return Buffer{name, spec.size_px(), 255, bytes(of)};
         },
         frame_);
 }
 
-std::span<const std::uint8_t> RenderJob::bytes(Plane plane) const {
+std::span<const std::uint8_t> RenderJob::bytes(const PlaneOf& of) const {
+    const auto of_source = [&](const auto& frame) -> const auto& {
+        return frame.lights[inputs_.scene.source(of.light).first_light];
+    };
     return std::visit(
         [&](const auto& frame) -> std::span<const std::uint8_t> {
-            switch (plane) {
-                case Plane::intensity: return frame.observer.intensity;
-                case Plane::direct: return frame.observer.direct;
-                case Plane::mask: return frame.lights[0].mask;
-                case Plane::edges: return frame.lights[0].edges;
-                case Plane::filtered: return frame.lights[0].filtered;
-                case Plane::picture: return frame.picture;
+            switch (of.plane) {
+                case Plane::intensity: return frame.intensity(of.channel);
+                case Plane::direct: return frame.direct(of.channel, of.light);
+                case Plane::mask: return frame.lights[of.light].mask;
+                case Plane::darkness: return of_source(frame).joined;
+                case Plane::edges: return of_source(frame).edges;
+                case Plane::filtered: return of_source(frame).filtered;
+                case Plane::picture: return frame.picture_of(of.channel);
                 default: return {};
             }
         },
         frame_);
+}
+
+std::vector<std::uint8_t> RenderJob::rgb() const {
+    std::vector<std::uint8_t> made;
+    const std::span red = bytes(Plane::picture), green = bytes({Plane::picture, 0, 1}),
+                    blue = bytes({Plane::picture, 0, 2});
+    made.reserve(3 * red.size());
+    for (std::size_t a = 0; a < red.size(); ++a)
+        made.insert(made.end(), {red[a], green[a], blue[a]});
+    return made;
 }
 
 std::vector<std::uint8_t> RenderJob::visible() const {

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -35,21 +36,30 @@ constexpr double simulated_ms(std::uint64_t cycles, int clock_ns) {
     return static_cast<double>(cycles) * clock_ns * 1e-6;
 }
 
-// A frame's planes. Z is 16 or 32 bits a word, the others are 8.
+// The kinds of a frame's planes. Z is 16 or 32 bits a word, the others are 8.
 enum class Plane : std::uint8_t {
     observer_z,
-    light_z,
-    intensity,
-    direct,    // the light's share of the intensity
-    mask,      // as compared
-    edges,     // after the edge dequantizing
-    filtered,  // after the low-pass
-    picture,
+    light_z,    // of each light
+    intensity,  // of each channel
+    direct,     // a source's share of the intensity, of each source and channel
+    mask,       // as compared, of each light
+    darkness,   // of a source with several lights, from their masks
+    edges,      // after the edge dequantizing, of each source
+    filtered,   // after the low-pass, of each source
+    picture,    // of each channel
 };
-inline constexpr std::array all_planes{Plane::observer_z, Plane::light_z, Plane::intensity,
-                                       Plane::direct,     Plane::mask,    Plane::edges,
-                                       Plane::filtered,   Plane::picture};
-const char* name_of(Plane);
+
+// One of them: in a grey frame with one light the kind says which.
+struct PlaneOf {
+    Plane plane;
+    std::size_t light = 0;  // or the source
+    std::size_t channel = 0;
+
+    PlaneOf(Plane kind, std::size_t of = 0, std::size_t in_channel = 0)
+        : plane(kind), light(of), channel(in_channel) {}
+};
+// "mask", of the second light "mask2", in a channel of a coloured frame "direct2_red".
+std::string name_of(const PlaneOf&, bool coloured = false);
 
 class RenderJob {
 public:
@@ -81,15 +91,22 @@ public:
     const shadow::FramePlan& plan() const { return plan_; }
     const shadow::FrameCounts& counts() const { return counts_; }
     const StageTimes& times() const { return times_; }
-    // What the frame takes on the machine; draws both views once more, to count.
-    shadow::FrameLedger ledger() const;
+    // What the frame takes on the machine, as its first light has it, or each light in turn; draws
+    // the views once more, to count.
+    shadow::FrameLedger ledger() const { return ledger(0, nullptr); }
+    std::vector<shadow::FrameLedger> ledgers() const;
     // The post-process again, through memory of the time.
     shadow::MemoryLedger replay_memory() const;
     std::size_t frame_bytes() const { return bytes_; }
 
+    // All planes, in the order of the frame.
+    std::vector<PlaneOf> planes() const;
     // A view into the frame's memory, as it is now.
-    Buffer buffer(Plane) const;
-    std::span<const std::uint8_t> bytes(Plane) const;  // of a plane of 8 bits
+    Buffer buffer(const PlaneOf&) const;
+    std::span<const std::uint8_t> bytes(const PlaneOf&) const;  // of a plane of 8 bits
+    bool coloured() const { return inputs_.scene.channels > 1; }
+    // A coloured frame's picture, three bytes a pixel.
+    std::vector<std::uint8_t> rgb() const;
     std::vector<std::uint8_t> visible() const;         // 1 where something was drawn
 
 private:
@@ -102,6 +119,7 @@ private:
     void allocate();
     void check_carved(const shadow::Scene&, const shadow::Settings&) const;
     void load(shadow::FrameInputs next, const shadow::FrameInputs* before);
+    shadow::FrameLedger ledger(std::size_t light, const shadow::FrameLedger* other) const;
 
     shadow::FrameInputs inputs_;
     shadow::FramePlan plan_{};

@@ -53,10 +53,12 @@ ordered_json to_json(const ShadowError& error) {
 
 }  // namespace
 
-BiasReport bias_report(const raster::View& light, const RenderJob& job) {
-    const shadow::BiasUnits units = shadow::bias_units(light, job.settings().machine);
-    const double quanta = std::ldexp(static_cast<double>(job.matrices().lights[0].bias_quanta_q16),
-                                     -16);
+BiasReport bias_report(const RenderJob& job, std::size_t light) {
+    const shadow::Scene& scene = job.inputs().scene;
+    const std::size_t map = scene.source(light).first_light;
+    const shadow::BiasUnits units = shadow::bias_units(scene.lights[map], job.settings().machine);
+    const double quanta =
+        std::ldexp(static_cast<double>(job.matrices().lights[map].bias_quanta_q16), -16);
     const double world = quanta / real(units.quanta_per_world);
     return {quanta, world * real(units.texels_per_world), world};
 }

@@ -12,11 +12,12 @@
 
 namespace umbra78::tools {
 
-// The bias in light-map Z quanta, light-map texels and world units, at the light's target.
+// The bias in light-map Z quanta, light-map texels and world units, at the light's target; of a
+// light with an area, of the first of its depth maps.
 struct BiasReport {
     double quanta, texels, world;
 };
-BiasReport bias_report(const raster::View& light, const RenderJob&);
+BiasReport bias_report(const RenderJob&, std::size_t light = 0);
 
 std::string print(const BiasReport&);      // "64 quanta = 0.5 texels = 0.00390625 world units"
 std::string percent(std::optional<double> rate);  // "23.87" or "n/a"

@@ -24,6 +24,7 @@ public:
     void add(Word... words) {
         (add_word(static_cast<std::int64_t>(words)), ...);
     }
+    void add(const raster::Levels& l) { add(l[0], l[1], l[2]); }
     void add(const raster::World& p) { add(p.x, p.y, p.z); }
     void add(const raster::View& v) {
         add(v.projection, v.extent, v.distance, v.near_depth, v.far_depth);
@@ -62,9 +63,18 @@ std::string hash_inputs(const LoadedScene& scene) {
         hash.add(f.material);
         for (std::size_t k = 0; k < 3; ++k) hash.add(f.vertex[k], f.normal[k]);
     }
-    for (const raster::Material& m : scene.materials) hash.add(m.diffuse, m.specular, m.shininess);
+    for (const raster::Material& m : scene.materials) {
+        hash.add(m.diffuse);
+        hash.add(m.specular);
+        hash.add(m.shininess);
+    }
     hash.add(scene.observer);
-    hash.add(scene.light);
+    for (const SceneLight& light : scene.lights) {
+        hash.add(light.views().size());
+        hash.add(light.level_q8);
+        hash.add(light.view);
+        for (const raster::View& v : light.area) hash.add(v);
+    }
     for (const shadow::Setting& s : shadow::settings_table()) hash.add(s.get(scene.settings));
     return hash.text();
 }

@@ -37,10 +37,14 @@ StreamWatch::Next StreamWatch::next(raster::Surfaces& batch) {
 void StreamWatch::note(const raster::Surfaces& batch) {
     seen_.primitives += batch.count();
     patches_ += batch.patches.size();
-    seen_.light += count_outside(scene_.light, batch);
-    seen_.observer += count_outside(scene_.observer, batch);
-    seen_.light_cut += cut_depths(scene_.light, batch);
-    seen_.observer_cut += cut_depths(scene_.observer, batch);
+    const auto note_view = [&](const raster::View& view, StreamSeen::View& seen) {
+        seen.outside += count_outside(view, batch);
+        seen.cut += cut_depths(view, batch);
+    };
+    note_view(scene_.observer, seen_.observer);
+    seen_.lights.resize(scene_.lights.size());
+    for (std::size_t l = 0; l < seen_.lights.size(); ++l)
+        note_view(scene_.lights[l].view, seen_.lights[l]);
     batch.for_points([&](const raster::World& p) { note(p); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "tools/scene/table_reader.hpp"
 #include "tools/scene/view_fit.hpp"
+#include "tools/scene/view_keys.hpp"
 #include "tools/scene/visible_depths.hpp"
 #include "tools/scene/word_checks.hpp"
 
@@ -77,23 +78,24 @@ void warn_of_depths(const LoadedScene& scene, const raster::View& view, const st
     warn_of_cut(scene, view, cut, scene.surfaces().count(), name, loses, fits, warnings);
 }
 
-void warn_of_light(const LoadedScene& scene, Warnings& warnings) {
+void warn_of_light(const LoadedScene& scene, const raster::View& light, const std::string& name,
+                   Warnings& warnings) {
     const std::size_t all = scene.surfaces().count();
-    const Outside outside = count_outside(scene.light, scene.surfaces());
-    const raster::View whole = fitted_view(scene.light, scene.surfaces());
+    const Outside outside = count_outside(light, scene.surfaces());
+    const raster::View whole = fitted_view(light, scene.surfaces());
     if (outside.window > count_outside(whole, scene.surfaces()).window)
         warnings.push_back(
             {"light_window", static_cast<double>(outside.window),
-             fmt::format("{} of {} {} reach out of the light's picture and may cast no shadow; "
-                         "light.extent = {} holds them, or leave it out",
-                         outside.window, all, kinds_of_surfaces(scene), decimal(whole.extent))});
+             fmt::format("{} of {} {} reach out of the {}'s picture and may cast no shadow; "
+                         "{}.extent = {} holds them, or leave it out", outside.window, all,
+                         kinds_of_surfaces(scene), name, name, decimal(whole.extent))});
     else if (outside.window > 0)
         warnings.push_back(
             {"light_window", static_cast<double>(outside.window),
-             fmt::format("{} of {} {} lie beside or behind the light and cast no shadow; "
-                         "move light.position out of the scene",
-                         outside.window, all, kinds_of_surfaces(scene))});
-    warn_of_depths(scene, scene.light, "light", loses_shadow, warnings);
+             fmt::format("{} of {} {} lie beside or behind the {} and cast no shadow; "
+                         "move {}.position out of the scene", outside.window, all,
+                         kinds_of_surfaces(scene), name, name)});
+    warn_of_depths(scene, light, name, loses_shadow, warnings);
 }
 
 void warn_of_observer(const LoadedScene& scene, Warnings& warnings) {
@@ -125,6 +127,9 @@ std::string explain(shadow::FrameStatus status) {
         case shadow_matrix:
             return "the matrix from observer to light does not fit the machine's words; bring "
                    "their extents nearer each other, or lower the bias";
+        case area_when_drawn:
+            return "the correct form shades by a light or not, and has no light with an area; set "
+                   "form = \"post_process\", or kind = \"point\"";
         case bias_out_of_range: return "the bias is beyond 2^47 quanta; lower it";
     }
     return "the frame cannot be drawn";
@@ -143,7 +148,9 @@ Warnings warnings_of(const LoadedScene& scene) {
         warnings.push_back(
             {"empty", 0, "nothing is drawn: the scene has no [[sphere]] or other surface"});
     } else {
-        warn_of_light(scene, warnings);
+        for (std::size_t l = 0; l < scene.lights.size(); ++l)
+            warn_of_light(scene, scene.lights[l].view, name_of_light(l, scene.lights.size()),
+                          warnings);
         warn_of_observer(scene, warnings);
         warn_of_words(scene, warnings);
     }
@@ -158,16 +165,20 @@ Warnings warnings_of_stream(const LoadedScene& scene, const StreamSeen& seen) {
         warnings.push_back({"empty", 0, "nothing is drawn: the stream has no primitives"});
     else
         warn_of_words(scene, warnings);
-    if (seen.light.window > 0)
-        warnings.push_back(
-            {"light_window", static_cast<double>(seen.light.window),
-             fmt::format("{} of {} primitives reach out of the light's picture {}; raise "
-                         "light.extent",
-                         seen.light.window, all, loses_shadow)});
-    warn_of_cut(scene, scene.light, seen.light_cut, all, "light", loses_shadow, false, warnings);
-    warn_of_cut(scene, scene.observer, seen.observer_cut, all, "observer", loses_sight, false,
+    for (std::size_t l = 0; l < seen.lights.size(); ++l) {
+        const auto& [outside, cut] = seen.lights[l];
+        const std::string name = name_of_light(l, scene.lights.size());
+        if (outside.window > 0)
+            warnings.push_back(
+                {"light_window", static_cast<double>(outside.window),
+                 fmt::format("{} of {} primitives reach out of the {}'s picture {}; raise "
+                             "{}.extent", outside.window, all, name, loses_shadow, name)});
+        warn_of_cut(scene, scene.lights[l].view, cut, all, name, loses_shadow, false, warnings);
+    }
+    const auto& [outside, cut] = seen.observer;
+    warn_of_cut(scene, scene.observer, cut, all, "observer", loses_sight, false,
                 warnings);
-    if (all > 0 && seen.observer.window == all && !seen.observer_cut.any())
+    if (all > 0 && outside.window == all && !cut.any())
         warnings.push_back({"observer_window", static_cast<double>(all),
                             "every surface reaches out of the picture; raise "
                             "observer.extent"});

@@ -24,9 +24,13 @@ Warnings warnings_of(const LoadedScene&);
 // What was seen of a stream while it was drawn, in both views, and the same warnings from it. The
 // scene has a sample of its points.
 struct StreamSeen {
+    struct View {
+        Outside outside;
+        CutDepths cut;
+    };
     std::uint64_t primitives = 0;
-    Outside light, observer;
-    CutDepths light_cut, observer_cut;
+    View observer;
+    std::vector<View> lights;  // by the scene's lights
 };
 Warnings warnings_of_stream(const LoadedScene&, const StreamSeen&);
 std::vector<std::string> lines_of(const Warnings&);

@@ -26,10 +26,8 @@ MaterialNames read_materials(const TomlNode& root, std::vector<raster::Material>
         if (std::find(names.begin(), names.end(), name) != names.end())
             in.report(in.need("name"),
                       fmt::format("there is a material '{}' already; rename one", name));
-        const auto word = [&](const char* key) {
-            return static_cast<std::int32_t>(in.number(key));
-        };
-        materials.push_back({word("diffuse"), word("specular"), word("shininess")});
+        materials.push_back({in.levels("diffuse"), in.levels("specular"),
+                             static_cast<std::int32_t>(in.number("shininess"))});
         names.push_back(name);
     }
     if (materials.size() >= std::numeric_limits<std::uint16_t>::max())

@@ -1,12 +1,16 @@
 #include "tools/scene/scene.hpp"
 
 #include "tools/scene/checks.hpp"
+#include "tools/scene/lights.hpp"
 #include "tools/scene/settings_text.hpp"
 #include "tools/scene/surfaces.hpp"
 #include "tools/scene/table_reader.hpp"
+#include "tools/scene/view_overrides.hpp"
 #include "tools/scene/views.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace umbra78::tools {
 namespace {
@@ -67,11 +71,14 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
     points.take_origin(scene.origin, scene.surfaces());
     scene.observer = read_observer(root, points, scene.origin, error);
     if (error.any()) return;
-    scene.light = read_light(root, points, scene.origin, error);
+    scene.lights = read_lights(root, points, scene.origin, error);
     if (error.any()) return;
     scene.largest = points.reach().largest();
-    const bool perspective = scene.observer.projection == raster::Projection::perspective ||
-                             scene.light.projection == raster::Projection::perspective;
+    const auto has_eye = [](const raster::View& v) {
+        return v.projection == raster::Projection::perspective;
+    };
+    bool perspective = has_eye(scene.observer);
+    for (const SceneLight& light : scene.lights) perspective = perspective || has_eye(light.view);
     scene.settings = read_settings(root.find("settings"), set, perspective, error);
     if (error.any()) return;
     check_matrices(scene, error);
@@ -81,6 +88,31 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
 }
 
 }  // namespace
+
+bool LoadedScene::is_coloured() const {
+    const auto grey = [](const raster::Material& m) {
+        return m.diffuse.is_grey() && m.specular.is_grey();
+    };
+    return !std::ranges::all_of(materials, grey) ||
+           !std::ranges::all_of(lights, [](const SceneLight& l) { return l.level_q8.is_grey(); });
+}
+
+shadow::Scene LoadedScene::view() const {
+    shadow::Scene made{.patches = {}, .materials = materials, .observer = observer, .lights = {}};
+    made.light_count = 0;
+    for (const SceneLight& light : lights) {
+        made.sources[made.source_count++] = {made.light_count, light.views().size(), light.view,
+                                             light.level_q8};
+        for (const raster::View& v : light.views()) made.lights[made.light_count++] = v;
+    }
+    made.channels = is_coloured() ? 3 : 1;
+    made.streamed = stream != nullptr;
+    made.largest_streamed = stream ? largest : 0;
+    if (stream) return made;
+    made.patches = patches;
+    made.mesh = mesh();
+    return made;
+}
 
 std::string_view kinds_of_surfaces(const LoadedScene& scene) {
     if (scene.stream) return "primitives";

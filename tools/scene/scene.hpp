@@ -20,6 +20,17 @@
 
 namespace umbra78::tools {
 
+// A [[light]] of a scene: a source, as hw/MACHINE.md, section 23, calls it.
+struct SceneLight {
+    raster::View view{};             // from its place
+    std::vector<raster::View> area;  // the views of the lights on its area; empty without one
+    raster::Levels level_q8 = 256;
+
+    std::span<const raster::View> views() const {
+        return area.empty() ? std::span(&view, 1) : std::span(area);
+    }
+};
+
 struct LoadedScene {
     std::string name;
     std::vector<raster::Material> materials;  // the last one is of surfaces that name none
@@ -32,7 +43,8 @@ struct LoadedScene {
     // Taken from all places above and from the views' targets: observer.recentre.
     raster::World origin{};
     std::size_t free_patches = 0;        // neither spheres' nor planes': truth has no closed form
-    raster::View observer, light;
+    raster::View observer;
+    std::vector<SceneLight> lights = std::vector<SceneLight>(1);  // at least one
     // The primitives of [stream], which come after those above; null if there is none. All places
     // lie within `largest` of the origin, in each coordinate.
     std::shared_ptr<PrimitiveStream> stream;
@@ -43,13 +55,15 @@ struct LoadedScene {
 
     // Whether exact truth has a closed form: spheres and planes alone.
     bool has_closed_form() const { return free_patches == 0 && facets.empty() && !stream; }
+    // The view of the first light, which is the only one of most scenes.
+    raster::View& light() { return lights.front().view; }
+    const raster::View& light() const { return lights.front().view; }
+    // Whether the picture needs three channels.
+    bool is_coloured() const;
     raster::Mesh mesh() const { return {vertices, normals, facets}; }
     raster::Surfaces surfaces() const { return {patches, mesh()}; }
     // What the core draws; of a scene with a stream, without any surfaces.
-    shadow::Scene view() const {
-        if (stream) return {{}, materials, observer, {{light}}, 1, {}, true, largest};
-        return {patches, materials, observer, {{light}}, 1, mesh()};
-    }
+    shadow::Scene view() const;
 };
 
 // What its surfaces are called where they are counted: "patches", "patches and triangles", ...

@@ -80,6 +80,16 @@ LoadedScene load_streamed_scene(const std::string& path, std::span<const std::st
         read_scene(scene_text(path), path, overrides, files_beside(path), open));
 }
 
+void require_one_light(const LoadedScene& scene, const std::string& what) {
+    const bool one = scene.lights.size() == 1 && scene.lights.front().area.empty();
+    if (!one)
+        throw SceneError(fmt::format("{}: {} looks at one light with one depth map, and the scene "
+                                     "has more; leave out the others", scene.name, what));
+    if (scene.is_coloured())
+        throw SceneError(fmt::format("{}: {} looks at a grey frame; give materials and lights "
+                                     "single levels", scene.name, what));
+}
+
 FileSource files_beside(const std::string& path) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     return [folder](const std::string& named) {

@@ -21,7 +21,8 @@ constexpr NumberRange depth_range_from_eye{16, 1, 4 * world_reach};
 constexpr NumberRange level_range{0, 0, 255};
 constexpr NumberRange shininess_range{0, 0, 8};
 
-constexpr std::string_view world_units = "world units", degrees = "degrees", levels = "grey levels";
+constexpr std::string_view world_units = "world units", degrees = "degrees";
+constexpr std::string_view of_grey = "grey levels";
 constexpr std::string_view fitted = "fitted to the scene", needed = "must be given";
 constexpr raster::Material plain;
 
@@ -29,7 +30,8 @@ constexpr std::string_view projections[] = {"orthographic", "perspective"};  // 
 constexpr std::string_view on_or_off[] = {"on", "off"};
 constexpr std::string_view up_axes[] = {"y", "z"};
 constexpr std::string_view shadings[] = {"smooth", "flat"};
-constexpr std::string_view light_kinds[] = {"directional", "point"};
+constexpr std::string_view light_kinds[] = {"directional", "point", "area"};
+constexpr NumberRange light_level_range{8, 0, 256}, samples_range{0, 2, 8};
 
 constexpr SceneKey target{.key = "target", .kind = point, .unit = world_units,
                           .range = place_range, .left_out = "the middle of the scene",
@@ -84,7 +86,8 @@ constexpr SceneKey observer_keys[] = {
 };
 constexpr SceneKey light_keys[] = {
     {.key = "kind", .kind = choice, .choices = light_kinds,
-     .meaning = "at infinity (its view is orthographic) or at a point (perspective)"},
+     .meaning = "at infinity (its view is orthographic), at a point (perspective), or a square "
+                "of points, each with a depth map of its own"},
     {.key = "azimuth", .kind = number, .unit = degrees, .range = azimuth_range,
      .left_out = "must be given if directional", .example = "-100",
      .meaning = "of a directional light, as the observer's"},
@@ -95,16 +98,24 @@ constexpr SceneKey light_keys[] = {
     near_depth,
     far_depth,
     {.key = "position", .kind = point, .unit = world_units, .range = place_range,
-     .left_out = "must be given if a point", .example = "[-4, 6, 5]",
-     .meaning = "of a point light, at most 32767 from its target"},
+     .left_out = "must be given if a point or an area", .example = "[-4, 6, 5]",
+     .meaning = "of a point light, or the middle of an area, at most 32767 from its target"},
+    {.key = "size", .kind = number, .unit = world_units, .range = length_range,
+     .left_out = "must be given if an area", .example = "1",
+     .meaning = "of an area: the side of its square, which faces the target"},
+    {.key = "samples", .kind = number, .range = samples_range, .fallback = 4,
+     .meaning = "of an area: n x n points on it"},
+    {.key = "level", .kind = levels, .range = light_level_range, .fallback = 256,
+     .meaning = "of its light, in red, green and blue if it is coloured; 1 is as bright as the "
+                "material's levels say"},
 };
 constexpr SceneKey material_keys[] = {
     {.key = "name", .kind = text, .left_out = needed, .example = "\"clay\"",
      .meaning = "by which surfaces refer to it; no two have the same"},
-    {.key = "diffuse", .kind = number, .unit = levels, .range = level_range,
-     .fallback = plain.diffuse, .meaning = "of a surface that faces the light"},
-    {.key = "specular", .kind = number, .unit = levels, .range = level_range,
-     .fallback = plain.specular, .meaning = "that the highlight adds in its middle"},
+    {.key = "diffuse", .kind = levels, .unit = of_grey, .range = level_range,
+     .fallback = plain.diffuse[0], .meaning = "of a surface that faces the light"},
+    {.key = "specular", .kind = levels, .unit = of_grey, .range = level_range,
+     .fallback = plain.specular[0], .meaning = "that the highlight adds in its middle"},
     {.key = "shininess", .kind = number, .range = shininess_range, .fallback = plain.shininess,
      .meaning = "n: the highlight's exponent is 2^n"},
 };
@@ -206,7 +217,9 @@ constexpr SceneKey stream_keys[] = {
 
 constexpr SceneTable tables[] = {
     {"observer", false, "The view of the picture. It may be left out.", observer_keys},
-    {"light", false, "The light, and its view of the scene: the depth map. It must be given.",
+    {"light", true,
+     "A light, and its view of the scene: the depth map. One at least must be given, and one alone "
+     "may be written [light]; at most 8, with 64 depth maps.",
      light_keys},
     {"material", true, "How surfaces are shaded.", material_keys},
     {"sphere", true, "A sphere, drawn as 32 patches.", sphere_keys},
@@ -272,6 +285,8 @@ std::string print_range(const SceneKey& key) {
         case choice: return fmt::format("{}", fmt::join(key.choices, ", "));
         case text: return "a text";
         case point: return fmt::format("[x, y, z], each {}", print(key.range));
+        case levels:
+            return fmt::format("{0}, or [red, green, blue], each {0}", print(key.range));
         case control: return fmt::format("16 points [x, y, z], or 4 rows of 4, each {}",
                                          print(key.range));
         case number: break;

@@ -32,6 +32,7 @@ std::string print(const NumberRange&);
 enum class KeyKind : std::uint8_t {
     number,
     point,    // [x, y, z], each in the range
+    levels,   // a number, or [red, green, blue]
     choice,   // one of `choices`
     text,
     control,  // 16 points, or 4 rows of 4
@@ -53,7 +54,7 @@ struct SceneKey {
 
 struct SceneTable {
     std::string_view name;
-    bool many;  // an array of tables, [[name]]
+    bool many;  // an array of tables, [[name]]; of `light` one may be written [light]
     std::string_view meaning;
     std::span<const SceneKey> keys;
 };

@@ -99,7 +99,9 @@ void check_keys(const TomlNode& node, std::string_view title,
 }
 
 TableReader::TableReader(const TomlNode& node, const SceneTable& table, FirstError& error)
-    : node_(node), table_(table), error_(error), title_(title_of(table)) {
+    : node_(node), table_(table), error_(error),
+      // A table of which there may be many, and that is written as the only one.
+      title_(node.key == table.name ? fmt::format("[{}]", table.name) : title_of(table)) {
     std::vector<std::string_view> keys;
     for (const SceneKey& key : table.keys) keys.push_back(key.key);
     check_keys(node, title_, keys, error);
@@ -134,6 +136,27 @@ std::int64_t TableReader::number(std::string_view key, std::int64_t otherwise,
 raster::World TableReader::point(std::string_view key, const raster::World& otherwise) const {
     const TomlNode* node = find(key);
     return node ? read_point(*node, called(key), scene_key(table_, key).range, error_) : otherwise;
+}
+
+raster::Levels TableReader::levels(std::string_view key) const {
+    const SceneKey& row = scene_key(table_, key);
+    const TomlNode* node = find(key);
+    if (!node) return narrow(row.fallback);
+    if (node->kind != Kind::array)
+        return narrow(read_number(*node, called(key), row.range, error_));
+    TomlNode room;
+    const std::vector<TomlNode>& items = with_items(*node, room).children;
+    if (items.size() != 3) {
+        report_kind(error_, *node, called(key), "write a number, or [red, green, blue]");
+        return narrow(row.fallback);
+    }
+    const auto word = [&](std::size_t channel) {
+        constexpr const char* names[] = {"red", "green", "blue"};
+        return narrow(read_number(items[channel],
+                                  fmt::format("{} of {}", names[channel], called(key)), row.range,
+                                  error_));
+    };
+    return {word(0), word(1), word(2)};
 }
 
 std::int64_t TableReader::needed_number(std::string_view key) const {

@@ -46,6 +46,7 @@ public:
     std::int64_t number(std::string_view key, std::int64_t otherwise,
                         bool in_perspective = false) const;
     raster::World point(std::string_view key, const raster::World& otherwise) const;
+    raster::Levels levels(std::string_view key) const;
     // The value, which must be given.
     std::int64_t needed_number(std::string_view key) const;
     raster::World needed_point(std::string_view key) const;

@@ -1,4 +1,4 @@
-// Reads the observer and the light of a scene file into views. A key that the file leaves out is
+// Reads the observer of a scene file into a view, and what all views say of the scene. A key that the file leaves out is
 // fitted to the points of all surfaces. After an error a view is not to be used.
 #pragma once
 
@@ -22,14 +22,5 @@ raster::World read_origin(const TomlNode& root, ScenePoints&, FirstError&);
 // [observer]; if it is left out, a view from the front that shows the whole scene.
 raster::View read_observer(const TomlNode& root, ScenePoints&, const raster::World& origin,
                            FirstError&);
-
-// [light]: its kind "directional" makes an orthographic view, "point" a perspective one.
-raster::View read_light(const TomlNode& root, ScenePoints&, const raster::World& origin,
-                        FirstError&);
-
-// Moves the overrides observer.KEY and light.KEY into the tree, in place of what the file says.
-// Returns the others, the settings, as a table.
-TomlNode apply_view_overrides(TomlNode& root, std::span<const std::string> overrides,
-                              FirstError&);
 
 }  // namespace umbra78::tools

@@ -1,5 +1,7 @@
 #include "tools/scene/word_checks.hpp"
 
+#include "tools/scene/view_keys.hpp"
+
 #include "raster/projection.hpp"
 #include "tools/scene/settings_text.hpp"
 
@@ -148,11 +150,11 @@ void warn_of_view(const LoadedScene& scene, const View& view, const hw::MatrixWo
                      of_offset(max, "pixels"), remedy, name)});
 }
 
-void warn_of_shadow(const LoadedScene& scene, const shadow::LightMatrices& matrices,
-                    Warnings& warnings) {
+void warn_of_shadow(const LoadedScene& scene, const View& of_light, const std::string& name,
+                    const shadow::LightMatrices& matrices, Warnings& warnings) {
     const hw::MachineSpec& spec = scene.settings.machine;
     const RealMatrix machine = real(matrices.observer_to_light, spec, hw::screen_words(spec));
-    const ExactView observer(scene.observer, spec), light(scene.light, spec);
+    const ExactView observer(scene.observer, spec), light(of_light, spec);
     const double bias = std::ldexp(q16(matrices.bias_quanta_q16), -spec.depth_fraction());
     Offset max;
     for_points(scene, [&](const Real4& p) {
@@ -161,15 +163,16 @@ void warn_of_shadow(const LoadedScene& scene, const shadow::LightMatrices& matri
         if (!observer.shows(from) || !light.shows(to)) return;
         from[3] = 1;
         to[2] -= bias;
-        max.widen(offset(machine(from), to, scene.light));
+        max.widen(offset(machine(from), to, of_light));
     });
     if (max.max() <= 0.25) return;
     warnings.push_back(
         {"shadow_matrix", max.max(),
-         fmt::format("the matrix from observer to light moves points by up to {}: its {} bits do "
-                     "not hold both views; {}bring observer.extent and light.extent nearer each "
-                     "other", of_offset(max, "texels of the depth map"), spec.coefficient_bits,
-                     spec.coefficient_bits < 24 ? "set coefficient_bits = 24, or " : "")});
+         fmt::format("the matrix from observer to {} moves points by up to {}: its {} bits do "
+                     "not hold both views; {}bring observer.extent and {}.extent nearer each "
+                     "other", name, of_offset(max, "texels of the depth map"),
+                     spec.coefficient_bits,
+                     spec.coefficient_bits < 24 ? "set coefficient_bits = 24, or " : "", name)});
 }
 
 void warn_of_objects(const LoadedScene& scene, hw::WordFormat object, Warnings& warnings) {
@@ -220,10 +223,9 @@ bool warn_of_order(const LoadedScene& scene, const View& view, const std::string
     return true;
 }
 
-void warn_of_bias(const LoadedScene& scene, const shadow::LightMatrices& matrices,
-                  Warnings& warnings) {
+void warn_of_bias(const LoadedScene& scene, const View& light, const std::string& name,
+                  const shadow::LightMatrices& matrices, Warnings& warnings) {
     const hw::MachineSpec& spec = scene.settings.machine;
-    const View& light = scene.light;
     const double near = q16(light.near_depth), far = q16(light.far_depth), at = q16(light.distance);
     const double step = std::ldexp(far - near, -spec.z_bits) *
                         (perspective(light) ? at * at / (far * near) : 1);
@@ -231,9 +233,10 @@ void warn_of_bias(const LoadedScene& scene, const shadow::LightMatrices& matrice
     if (std::abs(texels) <= 4.01) return;  // 4 as it is rounded
     warnings.push_back(
         {"bias", texels,
-         fmt::format("the bias is {:.3g} texels of the depth map, {:.3g} units: shadows begin "
+         fmt::format("the bias is {:.3g} texels of {} depth map, {:.3g} units: shadows begin "
                      "that far from what casts them; set bias = {:.3g} and bias_unit = \"texels\"",
-                     texels, q16(matrices.bias_quanta_q16) * step,
+                     texels, scene.lights.size() == 1 ? "the" : name + "'s",
+                     q16(matrices.bias_quanta_q16) * step,
                      q16(scene_defaults().bias_q16))});
 }
 
@@ -245,13 +248,19 @@ void warn_of_words(const LoadedScene& scene, Warnings& warnings) {
     warn_of_objects(scene, matrices.object, warnings);
     warn_of_view(scene, scene.observer, matrices.world_to_observer, matrices.object, "observer",
                  warnings);
-    warn_of_view(scene, scene.light, matrices.lights[0].world_to_light, matrices.object, "light",
-                 warnings);
     // Without an order in depth no matrix moves a point to the right depth.
-    const bool observer = warn_of_order(scene, scene.observer, "observer", warnings);
-    const bool light = warn_of_order(scene, scene.light, "light", warnings);
-    if (!observer && !light) warn_of_shadow(scene, matrices.lights[0], warnings);
-    warn_of_bias(scene, matrices.lights[0], warnings);
+    const bool ordered = !warn_of_order(scene, scene.observer, "observer", warnings);
+    std::size_t first = 0;  // of the source's depth maps
+    for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+        const View& view = scene.lights[l].views().front();
+        const shadow::LightMatrices& m = matrices.lights[first];
+        const std::string name = name_of_light(l, scene.lights.size());
+        first += scene.lights[l].views().size();
+        warn_of_view(scene, view, m.world_to_light, matrices.object, name, warnings);
+        if (!warn_of_order(scene, view, name, warnings) && ordered)
+            warn_of_shadow(scene, view, name, m, warnings);
+        warn_of_bias(scene, view, name, m, warnings);
+    }
 }
 
 }  // namespace umbra78::tools

@@ -28,7 +28,7 @@ PackedWriter::PackedWriter(const Path& path, std::span<const raster::Material> m
     put(block_, count);
     put(block_, static_cast<std::uint32_t>(materials.size()));
     for (const raster::Material& m : materials)
-        for (const std::int32_t v : {m.diffuse, m.specular, m.shininess}) put(block_, v);
+        for (const std::int32_t v : {m.diffuse[0], m.specular[0], m.shininess}) put(block_, v);
     flush();
 }
 

@@ -119,7 +119,7 @@ LightUnits light_units(const LoadedScene& scene) {
         exact.round_scaled(32, fixed::Rounding::half_even, q32);
         return std::ldexp(static_cast<double>(q32), -32);
     };
-    const auto units = shadow::bias_units(scene.light, scene.settings.machine);
+    const auto units = shadow::bias_units(scene.light(), scene.settings.machine);
     return {real(units.quanta_per_world), real(units.texels_per_world)};
 }
 

@@ -10,6 +10,7 @@ namespace umbra78::tools::study {
 
 void take_scene(const std::string& path, Request& request) {
     request.scene = load_scene(path, {});  // for its errors
+    require_one_light(request.scene, "a study");
     request.scene_file = path;
     std::ifstream file(path, std::ios::binary);
     request.scene_text.assign(std::istreambuf_iterator<char>(file), {});

@@ -73,7 +73,7 @@ std::string truth_key(const LoadedScene& scene) {
     for (const raster::World& w : scene.vertices) key += key_of(w);
     for (const raster::Facet& f : scene.facets)
         key += fmt::format("{} {} {};", f.vertex[0], f.vertex[1], f.vertex[2]);
-    return key + key_of(scene.observer) + key_of(scene.light);
+    return key + key_of(scene.observer) + key_of(scene.light());
 }
 
 std::size_t bytes_of(const Traced& traced) {

@@ -73,10 +73,12 @@ TruthView truth_view(const raster::View& view, int size_px) {
 
 namespace {
 
-std::optional<SceneTruth> trace(const LoadedScene& scene, bool cut) {
+std::optional<SceneTruth> trace(const LoadedScene& scene, std::size_t light, bool cut) {
+    fixed::require(scene.lights[light].area.empty(), "truth of a light with an area");
+    const raster::View& of = scene.lights[light].view;
     const int size = scene.settings.machine.size_px();
     SceneTruth made{truth_scene(scene), truth_view(scene.observer, size),
-                    truth_view(scene.light, size), truth_light(scene.light), {}, {}};
+                    truth_view(of, size), truth_light(of), {}, {}};
     const TruthView seen = cut ? made.observer : without_cut(scene, made.observer);
     if (!scene.has_closed_form()) {
         auto traced = patch_truth(scene, seen, made.light);
@@ -96,10 +98,12 @@ std::optional<SceneTruth> trace(const LoadedScene& scene, bool cut) {
 
 }  // namespace
 
-std::optional<SceneTruth> trace(const LoadedScene& scene) { return trace(scene, false); }
+std::optional<SceneTruth> trace(const LoadedScene& scene, std::size_t light) {
+    return trace(scene, light, false);
+}
 
 std::optional<SceneTruth> trace_within_depths(const LoadedScene& scene) {
-    return trace(scene, true);
+    return trace(scene, 0, true);
 }
 
 double filter_radius_px(const shadow::Settings& settings) {

@@ -1,8 +1,12 @@
-"""The figures' scene, the variants and their frames (section 15)."""
+"""The figures' scene, the variants and their frames (section 15), and several lights (23)."""
+import math
+import re
+
 from .ap120b import array_mask
 from .dicing import diced, tolerance
 from .filters import composite, dequantize, low_pass
 from .noise import dither_words
+from .notation import half_up
 from .settings import Settings, table
 from .shading import Shading
 from .shadow_test import correct_record, plain_record, post_process
@@ -13,7 +17,9 @@ from .words import object_place, object_words, plane, sphere
 SPHERES = ((-68813, 39322, 0), (62259, 77332, 19661), (-49152, -73400, 13107),
            (68813, -27525, 29491))
 FLOOR = ((-196608, -127795, 196608), (393216, 0, 0), (0, 0, -393216))
-MATERIAL = (215, 90, 5)
+MATERIAL = ((215,), (90,), 5)
+COLOURED = ((215, 140, 60), (90, 90, 90), 5)
+CHANNELS = ("_red", "_green", "_blue")
 AMBIENT, UNIT = 90, 65536
 SIX = [tuple(sign * (axis == k) for k in range(3)) for axis in range(3) for sign in (1, -1)]
 VERTICES = ((-196608, -127795, 196608), (196608, -127795, 196608), (196608, -127795, -196608),
@@ -43,8 +49,14 @@ def angles(azimuth, elevation):
     return axes_from_angles(azimuth * UNIT, elevation * UNIT)
 
 
-def view(name, patches):
-    axes, extent, distance, depths = {
+# Sources that are more than a view of level 256: the view, levels, and of an area size and side.
+SOURCES = {"dim": ("right", (128,), None), "red": ("sun", (256, 64, 32), None),
+           "panel": ("lamp", (256,), (131072, 2))}
+PLACES = {"lamp": (-327680, 262144, 131072)}
+
+
+def view_words(name):
+    return {
         "front": (angles(0, 0), 131072, 0, (-131072, 131072)),
         "left": (angles(-100, 0), 131072, 0, (-131072, 131072)),
         "right": (angles(100, 0), 131072, 0, (-131072, 131072)),
@@ -57,18 +69,53 @@ def view(name, patches):
         "inside": (axes_from_points((10000, 60000, 20000), (0, 0, 0)), 131072, 64031,
                    (2048, 524288)),
     }[name]
+
+
+def view(name, patches):
+    axes, extent, distance, depths = view_words(name)
     return View(axes, extent, distance, depths, patches=patches)
 
 
-class Frame:
-    """A frame's buffers, each made when it is asked for."""
+def area(name, size, n, patches):
+    """The views of the lights on a square source at a view's place."""
+    (right, up, _), extent, _, depths = view_words(name)
+    views = []
+    for j in range(n):
+        for i in range(n):
+            place = [p + half_up(((2 * i + 1 - n) * r + (2 * j + 1 - n) * u) * size, 2 * n << 30)
+                     for p, r, u in zip(PLACES[name], right, up)]
+            square = sum(p * p for p in place)
+            root = math.isqrt(square)
+            views.append(View(axes_from_points(place, (0, 0, 0)), extent,
+                              root + (square - root * root > root), depths, patches=patches))
+    return views
 
-    def __init__(self, scene_name, observer, light, s):
+
+class Source:
+    """Its place's view, the views of its lights, and its levels by channel."""
+
+    def __init__(self, name, patches):
+        view_name, self.levels, square = SOURCES.get(name, (name, (256,), None))
+        self.place = view(view_name, patches)
+        self.views = area(view_name, *square, patches) if square else [self.place]
+
+
+class Frame:
+    """A frame's buffers, each made when it is asked for: mask of the first light, mask2, ...
+
+    Light maps and masks are numbered by lights, direct, darkness, edges and filtered by sources;
+    in a coloured frame intensity, direct and picture end in a channel.
+    """
+
+    def __init__(self, scene_name, observer, lights, s):
         vertices, facets = mesh(scene_name)
         world = [*scene(scene_name), vertices]  # lists of places
         self.s, ((*self.patches, vertices), self.fraction) = s, object_words(world)
         self.facets = [([vertices[k] for k in three], normals) for three, normals in facets]
-        self.observer, self.light = view(observer, world), view(light, world)
+        self.observer = view(observer, world)
+        self.sources = [Source(name, world) for name in lights.split(" + ")]
+        self.lights = [v for source in self.sources for v in source.views]
+        self.coloured = any(len(source.levels) > 1 for source in self.sources)
         if s.surface == "diced":
             word, self.patches = tolerance(self.observer.extent_word, s), []
             self.facets = [([object_place(p, self.fraction) for p in points], normals)
@@ -78,53 +125,84 @@ class Frame:
 
     def __getattr__(self, buffer):
         if buffer not in self.made:
-            getattr(self, "make_" + buffer)()
+            name, number, channel = re.fullmatch(
+                r"(\w+?)(\d*)(_red|_green|_blue|)", buffer).groups()
+            getattr(self, "make_" + name)(int(number or 1) - 1, number, channel)
         return self.made[buffer]
 
-    def make_light_z(self):
-        self.made["light_z"], _, self.counts["light"] = draw(
-            self.patches, self.facets, self.fraction, self.light, self.s)
+    def make_light_z(self, light, number, _):
+        self.made["light_z" + number], _, counts = draw(
+            self.patches, self.facets, self.fraction, self.lights[light], self.s)
+        self.counts["light" + number] = counts
 
-    def matrix(self):
-        return shadow_matrix(self.observer, self.light, self.s)
+    def matrix(self, light):
+        return shadow_matrix(self.observer, self.lights[light], self.s)
 
-    def make_observer_z(self):
+    def of_light(self, buffer, light):
+        return getattr(self, buffer + (str(light + 1) if light else ""))
+
+    def shading(self):
+        channels = 3 if self.coloured else 1
+        sources = [(source.place, source.levels * (channels // len(source.levels)))
+                   for source in self.sources]
+        return Shading(self.observer, sources, self.fraction, self.s.ambient,
+                       COLOURED if self.coloured else MATERIAL)
+
+    def make_observer_z(self, *_):
         s, correct = self.s, self.s.form == "correct"
-        record = (correct_record(self.light_z, self.matrix(), s, dither_words(s)) if correct
-                  else plain_record)
-        shading = Shading(self.observer, self.light, self.fraction, s.ambient, MATERIAL)
-        planes, rest, self.counts["observer"] = draw(
-            self.patches, self.facets, self.fraction, self.observer, s, record, shading)
-        self.made["observer_z"] = planes
-        self.made["intensity"], self.made["direct"], *mask = rest
+        record = plain_record
         if correct:
-            self.made["mask"] = mask[0]
+            record = correct_record([(self.of_light("light_z", k), self.matrix(k))
+                                     for k in range(len(self.lights))], s, dither_words(s))
+        planes, rest, self.counts["observer"] = draw(
+            self.patches, self.facets, self.fraction, self.observer, s, record, self.shading())
+        self.made["observer_z"] = planes
+        rest = iter(rest)
+        for channel in CHANNELS if self.coloured else ("",):
+            self.made["intensity" + channel] = next(rest)
+            for k in range(len(self.sources)):
+                self.made["direct" + (str(k + 1) if k else "") + channel] = next(rest)
+        for k in range(len(self.lights) if correct else 0):
+            self.made["mask" + (str(k + 1) if k else "")] = next(rest)
     make_intensity = make_direct = make_observer_z
 
-    def make_mask(self):
+    def make_mask(self, light, number, _):
         s = self.s
         if s.form == "correct":
             self.make_observer_z()
             return
         make = array_mask if s.arithmetic == "ap120b" else post_process
-        self.made["mask"] = make(self.observer_z, self.light_z, self.matrix(), s, dither_words(s))
+        self.made["mask" + number] = make(self.observer_z, self.of_light("light_z", light),
+                                          self.matrix(light), s, dither_words(s))
 
     def visible(self):
         return [code != self.s.background_code for code in self.observer_z]
 
-    def make_edges(self):
-        self.made["edges"] = (dequantize(self.mask, self.visible(), self.s.dequantize,
-                                         self.s.size_px) if self.s.dequantize else self.mask)
+    def make_darkness(self, source, number, _):
+        first = sum(len(other.views) for other in self.sources[:source])
+        n = len(self.sources[source].views)
+        masks = [self.of_light("mask", first + k) for k in range(n)]
+        self.made["darkness" + number] = masks[0] if n == 1 else [
+            (510 * pixel.count(255) + n) // (2 * n) for pixel in zip(*masks)]
 
-    def make_filtered(self):
-        result = self.edges
+    def make_edges(self, source, number, _):
+        darkness, passes = self.of_light("darkness", source), self.s.dequantize
+        if passes and len(self.sources[source].views) == 1:
+            darkness = dequantize(darkness, self.visible(), passes, self.s.size_px)
+        self.made["edges" + number] = darkness
+
+    def make_filtered(self, source, number, _):
+        result = self.of_light("edges", source)
         for _ in range(self.s.low_pass):
             result = low_pass(result, self.visible(), self.s.size_px)
-        self.made["filtered"] = result
+        self.made["filtered" + number] = result
 
-    def make_picture(self):
-        self.made["picture"] = (self.intensity if self.s.form == "correct" else
-                                composite(self.intensity, self.direct, self.filtered, self.s))
+    def make_picture(self, _, __, channel):
+        result = getattr(self, "intensity" + channel)
+        for k in range(len(self.sources) if self.s.form != "correct" else 0):
+            direct = getattr(self, "direct" + (str(k + 1) if k else "") + channel)
+            result = composite(result, direct, self.of_light("filtered", k), self.s)
+        self.made["picture" + channel] = result
 
     def block_counts(self, name):
         """Section 6's rows of what has been drawn"""
@@ -133,7 +211,7 @@ class Frame:
                    f"{c.drawn} | {c.samples} |")
 
     def bytes_a_value(self, buffer):
-        return self.s.z_bytes if buffer in ("observer_z", "light_z") else 1
+        return self.s.z_bytes if buffer.startswith(("observer_z", "light_z")) else 1
 
 
 def figure_frames():

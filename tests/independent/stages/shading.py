@@ -1,4 +1,4 @@
-"""Shading (section 9)."""
+"""Shading (sections 9 and 23)."""
 import functools
 import math
 
@@ -63,36 +63,54 @@ class Toward:
 
 
 class Shading:
-    def __init__(self, observer, light, object_fraction, ambient, material):
-        self.light, self.viewer = (Toward(v, object_fraction) for v in (light, observer))
+    """Sources are (view, levels); a material is (diffuse, specular, shininess), by channel the
+    first two; the frame has as many channels as the levels that are given."""
+
+    def __init__(self, observer, sources, object_fraction, ambient, material):
+        self.viewer = Toward(observer, object_fraction)
+        self.towards = [Toward(view, object_fraction) for view, _ in sources]
+        self.source_levels = [levels for _, levels in sources]
         self.ambient, (self.diffuse, self.specular, self.shininess) = ambient, material
 
-    def levels(self, normal, to_light, to_viewer, in_shadow, turn=True):
-        """(intensity, direct) of a leaf; a facet's normal has been turned before."""
+    def highlight(self, n_dot_l, n_dot_v, l_dot_v):
+        result = min(max(((2 * n_dot_l * n_dot_v) >> 14) - l_dot_v, 0), 1 << 14)
+        for _ in range(self.shininess):
+            result = half_up(result * result, 1 << 14)
+        return result
+
+    def levels(self, normal, to_lights, to_viewer, shadowed=(), turn=True):
+        """For each channel in turn intensity and direct shares; `shadowed` are the numbers of the
+        sources in whose shadow the leaf is.  A facet's normal has been turned before."""
         length = max(1, math.isqrt(dot(normal, normal)))
-        n_dot_l, n_dot_v = dot(normal, to_light) // length, dot(normal, to_viewer) // length
-        if turn and n_dot_v < 0:
-            n_dot_l, n_dot_v = -n_dot_l, -n_dot_v
-        total = self.diffuse * self.ambient << 14
-        ambient_level = min(255, half_up(total, 1 << 22))
-        if n_dot_l > 0 and not in_shadow:
-            l_dot_v = dot(to_light, to_viewer) >> 14
-            highlight = min(max(((2 * n_dot_l * n_dot_v) >> 14) - l_dot_v, 0), 1 << 14)
-            for _ in range(self.shininess):
-                highlight = half_up(highlight * highlight, 1 << 14)
-            total += (self.diffuse * (256 - self.ambient) * n_dot_l
-                      + 256 * self.specular * highlight)
-        intensity = min(255, half_up(total, 1 << 22))
-        return intensity, intensity - ambient_level
+        n_dot_v = dot(normal, to_viewer) // length
+        sign = -1 if turn and n_dot_v < 0 else 1
+        lit = []  # n_dot_l and highlight of each source, or none
+        for number, to_light in enumerate(to_lights):
+            n_dot_l = sign * (dot(normal, to_light) // length)
+            lit.append((n_dot_l, self.highlight(n_dot_l, sign * n_dot_v,
+                                                dot(to_light, to_viewer) >> 14))
+                       if n_dot_l > 0 and number not in shadowed else None)
+        result = []
+        for channel in range(len(self.source_levels[0])):
+            diffuse, specular = self.diffuse[channel], self.specular[channel]
+            total = diffuse * self.ambient << 22
+            shares = [min(255, half_up(total, 1 << 30))]
+            for source, terms in zip(self.source_levels, lit):
+                if terms:
+                    total += source[channel] * (diffuse * (256 - self.ambient) * terms[0]
+                                                + 256 * specular * terms[1])
+                shares.append(min(255, half_up(total, 1 << 30)))
+            result += [shares[-1], *(b - a for a, b in zip(shares, shares[1:]))]
+        return tuple(result)
 
     def block(self, places):
-        """(intensity, direct) of leaf (i, j) of a block, lit or in shadow, as a function."""
+        """The levels of leaf (i, j) of a block, as a function."""
         normals = corner_normals(places)
         corners = list(zip(*(comp[0] for comp in places)))
 
         @functools.lru_cache(None)
-        def levels(i, j, in_shadow=False):
+        def levels(i, j, shadowed=()):
             place = at_leaf(corners, i, j)
-            return self.levels(at_leaf(normals, i, j), self.light.at(place),
-                               self.viewer.at(place), in_shadow)
+            return self.levels(at_leaf(normals, i, j), [to.at(place) for to in self.towards],
+                               self.viewer.at(place), shadowed)
         return levels

@@ -61,23 +61,26 @@ def post_process(observer_z, light_z, matrix, s, dither):
     return mask
 
 
-def correct_record(light_z, matrix, s, dither):
-    """What the store compares after the code: (intensity, direct, mask)."""
-    unit, light_map = ScreenUnit(matrix, s), LightMap(light_z, s)
+def correct_record(lights, s, dither):
+    """What the store compares after the code: the levels, and each light's mask.
+
+    A light is its map and the matrix from the observer to it."""
+    units = [(ScreenUnit(matrix, s), LightMap(light_z, s)) for light_z, matrix in lights]
     off = 4096 if s.registration == "index" else 0
 
     def of_block(levels):
         def record(sample, code):
             px, py, x, y, _, *where = sample
             words = [shift_down(v - off, 13 - s.input_fraction) for v in (x, y)]
-            point = unit(*words, pixel_words(px, py, code, s)[2])
-            shadow = light_map.in_shadow(point,
-                                         dither[py * s.size_px + px] if dither else (0, 0))
-            return (*levels(*where, shadow), 255 if shadow else 0)
+            words.append(pixel_words(px, py, code, s)[2])
+            noise = dither[py * s.size_px + px] if dither else (0, 0)
+            shadows = [light_map.in_shadow(unit(*words), noise) for unit, light_map in units]
+            shadowed = tuple(k for k, shadow in enumerate(shadows) if shadow)
+            return (*levels(*where, shadowed), *(255 if shadow else 0 for shadow in shadows))
         return record
     return of_block
 
 
 def plain_record(levels):
-    """Of the post-process: (intensity, direct), with nothing in shadow."""
+    """Of the post-process: the levels, with nothing in shadow."""
     return lambda sample, code: levels(*sample[5:])

@@ -143,16 +143,17 @@ def own_normal(facet):
 
 
 def facet_levels(shading, own, smooth, triangle):
-    """(intensity, direct) at weights, lit or in shadow, as a function; own is the facet's g."""
+    """The levels at weights, as a function; own is the facet's g."""
     rows = list(zip(*triangle))
 
-    def levels(e_a, e_b, e_c, in_shadow=False):
+    def levels(e_a, e_b, e_c, shadowed=()):
         t = of_1024((e_a, e_b, e_c), rows[3])
         place, normal = ([dot(t, row) for row in part] for part in (rows[4:7], rows[7:]))
         if not smooth:
             normal = own
-        to_light, to_viewer = shading.light.at(place), shading.viewer.at(place)
+        to_lights = [to.at(place) for to in shading.towards]
+        to_viewer = shading.viewer.at(place)
         if (dot(normal, own) < 0) != (dot(own, to_viewer) < 0):
             normal = [-n for n in normal]
-        return shading.levels(normal, to_light, to_viewer, in_shadow, turn=False)
+        return shading.levels(normal, to_lights, to_viewer, shadowed, turn=False)
     return levels

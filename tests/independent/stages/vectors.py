@@ -163,6 +163,15 @@ def dicing(w):
             *(edge_level(points, edge, tolerance, s) for edge in EDGES)]
 
 
+def plain_shading(ambient, material):
+    """Of one channel and one source of level 256; whoever calls gives the directions."""
+    shade = Shading.__new__(Shading)
+    diffuse, specular, shade.shininess = material
+    shade.ambient, shade.diffuse, shade.specular = ambient, (diffuse,), (specular,)
+    shade.source_levels = [(256,)]
+    return shade
+
+
 def shading(w):
     places = [take_component(w) for _ in range(3)]
     kind, light, viewer = w.pop(0), take(w, 3), take(w, 3)
@@ -171,10 +180,9 @@ def shading(w):
     if kind == "point":
         corners = list(zip(*(comp[0] for comp in places)))
         light = unit14([1024 * e - p for e, p in zip(light, at_leaf(corners, i, j))])
-    shade = Shading.__new__(Shading)
-    shade.ambient, (shade.diffuse, shade.specular, shade.shininess) = ambient, material
+    shade = plain_shading(ambient, material)
     normal = at_leaf(corner_normals(places), i, j)
-    return shade.levels(normal, light, viewer, w[0] == "shadow")
+    return shade.levels(normal, [light], viewer, (0,) if w[0] == "shadow" else ())
 
 
 def triangles(w):
@@ -191,16 +199,17 @@ def triangles(w):
         return flat([len(left), left])
     given = w.pop(0)
     facet = [tuple(take(w, 10)) for _ in range(3)]
-    shade = Shading.__new__(Shading)
-    shade.light, shade.viewer = Toward.__new__(Toward), Toward.__new__(Toward)
-    for toward in (shade.light, shade.viewer):
+    light, viewer = Toward.__new__(Toward), Toward.__new__(Toward)
+    for toward in (light, viewer):
         words = take(w, 3)
         toward.direction, toward.eye = words, words if given == "points" else None
-    shade.ambient, shade.diffuse, shade.specular, shade.shininess = take(w, 4)
+    ambient, *material = take(w, 4)
+    shade = plain_shading(ambient, material)
+    shade.towards, shade.viewer = [light], viewer
     triangle = clockwise(*facet)
     levels = facet_levels(shade, own_normal(facet), kind == "smooth", triangle)
     e = weights(triangle, take(w, 2))
-    return [*levels(*e), *levels(*e, True)]
+    return [*levels(*e), *levels(*e, (0,))]
 
 
 def noise(w):

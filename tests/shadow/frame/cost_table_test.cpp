@@ -61,7 +61,14 @@ TEST(CostTable, Filters) {
     }
     expect_row(row("dequantize, pixel of the frame", cost::coverage_pixel));
     expect_row(row("low-pass, pixel and pass", cost::low_pass_pixel));
-    expect_row(row("composite, pixel", cost::composite_pixel));
+    const Operations zero = cost::join_pixel(0), of_one = cost::join_pixel(1);
+    EXPECT_EQ(cost::join_pixel(9).adds, zero.adds + 9);
+    expect_row("| darkness of n lights, pixel (section 23) | n + 1 | " +
+               pair(zero.products, zero.passes) + " | " +
+               pair(zero.quotients, zero.quotient_bits) + " | n + 1 |\n");
+    EXPECT_EQ(of_one.accesses, 2u);
+    EXPECT_EQ(of_one.adds, 2u);
+    expect_row(row("composite, pixel, source and channel", cost::composite_pixel));
 }
 
 TEST(CostTable, Facets) {
@@ -100,6 +107,13 @@ TEST(CostTable, Drawing) {
                    linear(dull.products, shiny.products, "n") + " (" +
                        linear(dull.passes, shiny.passes, "n") + ")",
                    pair(dull.quotients, dull.quotient_bits), text(dull.accesses)));
+    const Operations first = c::shaded_source(0), next = c::shaded_source(1);
+    expect_row(row("shaded sample, each further source", linear(first.adds, next.adds, "n"),
+                   linear(first.products, next.products, "n") + " (" +
+                       linear(first.passes, next.passes, "n") + ")",
+                   pair(first.quotients, first.quotient_bits), text(first.accesses)));
+    expect_row(row("shaded sample, each further channel", c::channel));
+    expect_row(row("and each source in it", c::channel_source));
     const std::uint64_t corners = 3 * 17 * 17;
     expect_row(row("drawn block in perspective: corners divided",
                    Operations{.quotients = corners,
@@ -111,7 +125,7 @@ TEST(CostTable, Drawing) {
 TEST(CostTable, AWrongNumberIsNotFound) {
     Operations wrong = cost::composite_pixel;
     ++wrong.adds;
-    EXPECT_EQ(machine_text().find(row("composite, pixel", wrong)), std::string::npos);
+    EXPECT_EQ(machine_text().find(row("composite, pixel, source and channel", wrong)), std::string::npos);
 }
 
 }  // namespace

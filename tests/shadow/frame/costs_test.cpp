@@ -101,9 +101,9 @@ TEST(PlanCost, IsTheClosedForm) {
     const std::uint64_t low_passed =
         test::low_pass_by_hand(near[1] + near[2], 1).one_after_the_other();
     const std::uint64_t darkened = test::composite_by_hand(near[2]).one_after_the_other();
-    EXPECT_EQ(c[3].total(), dequantized);
-    EXPECT_EQ(c[4].total(), low_passed);
-    EXPECT_EQ(c[5].total(), darkened);
+    EXPECT_EQ(c[4].total(), dequantized);
+    EXPECT_EQ(c[5].total(), low_passed);
+    EXPECT_EQ(c[6].total(), darkened);
     const std::uint64_t quotient =
         static_cast<std::uint64_t>(hw::serial_divide_cycles(f.inputs.settings.machine));
     const auto saved = [&](Omission o) { return saving(o, plan, drawn).cycles; };

@@ -251,16 +251,17 @@ TEST(Vectors, Shading) {
             if (k >= 64 && k % 2 == 1) c = with_u_and_v_exchanged(c);
         }
         raster::ShadingSpec spec;
+        raster::Toward& light = spec.sources[0].toward;
         spec.ambient_q8 = static_cast<std::int32_t>(in.between(0, 256));
         const auto direction = [&] {
             raster::UnitVector u;
             raster::WideVector v{in.word(20), in.word(20), in.word(20) + 1};
             return u = raster::unit_vector(v);
         };
-        spec.light.direction = direction();
+        light.direction = direction();
         spec.viewer.direction = direction();
-        spec.light.to_point = k % 4 == 1;
-        for (std::int64_t& c : spec.light.point) c = in.word(24);
+        light.to_point = k % 4 == 1;
+        for (std::int64_t& c : light.point) c = in.word(24);
         const auto level = [&](std::int64_t max) {
             return static_cast<std::int32_t>(in.between(0, max));
         };
@@ -268,20 +269,20 @@ TEST(Vectors, Shading) {
         const int i = static_cast<int>(in.between(0, 15)), j = static_cast<int>(in.between(0, 15));
         const bool in_shadow = k % 8 == 7;
         Line line;
-        line << place[0] << place[1] << place[2] << (spec.light.to_point ? "point" : "direction");
+        line << place[0] << place[1] << place[2] << (light.to_point ? "point" : "direction");
         for (std::size_t c = 0; c < 3; ++c) {
-            if (spec.light.to_point) {
-                line << spec.light.point[c];
+            if (light.to_point) {
+                line << light.point[c];
             } else {
-                line << spec.light.direction[c];
+                line << light.direction[c];
             }
         }
         for (const std::int32_t c : spec.viewer.direction) line << c;
-        line << spec.ambient_q8 << material.diffuse << material.specular
+        line << spec.ambient_q8 << material.diffuse[0] << material.specular[0]
              << material.shininess << i << j << (in_shadow ? "shadow" : "open") << "->";
         const raster::Shade s =
-            raster::BlockShading(place, spec, material).shade(i, j, in_shadow);
-        lines.push_back((line << int{s.intensity} << int{s.direct}).text());
+            raster::BlockShading(place, spec, material).shade(i, j, in_shadow)[0];
+        lines.push_back((line << int{s.intensity} << int{s.direct[0]}).text());
     }
     check_vectors("shading",
                   {"Section 9: a block's object components x y z (16 each, times 2^6), the light",

@@ -120,9 +120,9 @@ void add_shades(Inputs& in, Lines& lines) {
         }
         raster::ShadingSpec spec;
         spec.ambient_q8 = static_cast<std::int32_t>(in.between(0, 256));
-        spec.light = direction(to_point);
+        spec.sources[0].toward = direction(to_point);
         spec.viewer = direction(to_point);
-        for (const raster::Toward& to : {spec.light, spec.viewer})
+        for (const raster::Toward& to : {spec.sources[0].toward, spec.viewer})
             for (std::size_t axis = 0; axis < 3; ++axis)
                 line << (to_point ? to.point[axis] : std::int64_t{to.direction[axis]});
         const raster::Material material{static_cast<std::int32_t>(in.between(0, 255)),
@@ -135,9 +135,10 @@ void add_shades(Inputs& in, Lines& lines) {
         s.y = static_cast<std::int32_t>(
             (std::int64_t{t.screen[0].y} + t.screen[1].y + t.screen[2].y) / 3);
         const raster::FacetShading shading(t, facet, flat, spec, material);
-        const raster::Shade lit = shading.shade(s, false), dark = shading.shade(s, true);
-        line << spec.ambient_q8 << material.diffuse << material.specular << material.shininess
-             << s.x << s.y << "->" << lit.intensity << lit.direct << dark.intensity << dark.direct;
+        const raster::Shade lit = shading.shade(s, 0)[0], dark = shading.shade(s, 1)[0];
+        line << spec.ambient_q8 << material.diffuse[0] << material.specular[0] << material.shininess
+             << s.x << s.y << "->" << lit.intensity << lit.direct[0]
+             << dark.intensity << dark.direct[0];
         lines.push_back(line.text());
     }
 }

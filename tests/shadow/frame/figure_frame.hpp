@@ -44,11 +44,11 @@ struct FigureScene {
 
 template <class Depth = hw::Depth16>
 struct Frame {
-    Frame(const hw::MachineSpec& spec, std::size_t patches)
-        : memory(frame_bytes<Depth>(spec, patches)),
-          buffers(carve<Depth>(memory.span(), spec, patches)) {}
+    Frame(const hw::MachineSpec& spec, std::size_t patches, const FrameShape& shape = {})
+        : memory(frame_bytes<Depth>(spec, patches, shape)),
+          buffers(carve<Depth>(memory.span(), spec, patches, shape)) {}
     Frame(const Scene& scene, const Settings& settings)
-        : Frame(settings.machine, scene.patches.size()) {
+        : Frame(settings.machine, scene.patches.size(), FrameShape(scene)) {
         draw(scene, settings);
     }
     FrameStatus draw(const Scene& scene, const Settings& settings) {

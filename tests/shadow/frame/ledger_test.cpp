@@ -223,12 +223,12 @@ TEST(Ledger, TheSharpestOfTwoMaterialsCounts) {
         materials[first ? 1 : 0].shininess = 2;
         Scene scene = figures.scene();
         scene.materials = materials;
-        EXPECT_EQ(max_shininess(scene), 8);
+        EXPECT_EQ(sample_cost(scene).shininess, 8);
         const FrameLedger l = figure_ledger(figure_settings(3), scene);
         EXPECT_TRUE(test::same(l.observer.operations,
                                test::drawing_by_hand(l.observer_counts, true, true, 8, 12)));
     }
-    EXPECT_EQ(max_shininess({}), 0);
+    EXPECT_EQ(sample_cost({}).shininess, 0);
 }
 
 // Filters that are off cost nothing.
@@ -288,7 +288,7 @@ TEST(Operations, OfOneBlock) {
     counts.tested_centres = 10;
     counts.samples = 4;
     const hw::Operations o = raster::drawing_operations(counts, {}, true,
-                                                        raster::Sampling::centre, false, 0);
+                                                        raster::Sampling::centre, false, {});
     EXPECT_EQ(o.adds, 3u * (60 + 43 + 1260) + 256 * 16 + 10 * 60 + 4 * 6);
     EXPECT_EQ(o.passes, 16u * 12 + 10 * 16 + 4 * 4);
     EXPECT_EQ(o.quotient_bits, 4u * 22);

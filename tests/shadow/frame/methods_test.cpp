@@ -155,7 +155,7 @@ void cost_of_the_scene(const FrameInputs& in, std::size_t, FrameLedger& ledger) 
 
 StageCycles darkness_cycles(const DrawnFrame& drawn, const FramePlan&, std::size_t) {
     StageCycles c;
-    c.operations = drawn.ledger.test.units;
+    c.operations = drawn.ledgers[0].test.units;
     return c;
 }
 

@@ -174,10 +174,13 @@ TEST(Reuse, TheObserverMoves) {
 
 TEST(Reuse, SurfacesChange) {
     const PlannedScene base = test::planned_scene("figure 6");
-    for (std::int32_t raster::Material::*const word :
-         {&raster::Material::diffuse, &raster::Material::specular, &raster::Material::shininess}) {
+    const raster::Material& was = base.materials[0];
+    for (const raster::Material& is :
+         {raster::Material{was.diffuse[0] - 1, was.specular, was.shininess},
+          raster::Material{was.diffuse, was.specular[0] - 1, was.shininess},
+          raster::Material{was.diffuse, was.specular, was.shininess - 1}}) {
         PlannedScene other = base;
-        other.materials[0].*word -= 1;
+        other.materials[0] = is;
         EXPECT_EQ(draw_over(base, other), "LDM");
     }
     PlannedScene dented = base;

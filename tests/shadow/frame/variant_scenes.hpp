@@ -1,6 +1,7 @@
 // The scenes and views of the variants of hw/MACHINE.md, section 15, by their names there.
 #pragma once
 
+#include "fixed/root.hpp"
 #include "shadow/frame/frame.hpp"
 #include "shadow/frame/paper_figures.hpp"
 
@@ -32,12 +33,53 @@ struct VariantScene {
         else
             EXPECT_EQ(name, "spheres");
     }
-    Scene scene(const std::string& observer, const std::string& light) const {
-        return {patches, materials, view(observer), {{view(light)}}, 1, mesh()};
+    // `lights`: sources by their names there, "left + dim".
+    Scene scene(const std::string& observer, const std::string& lights) const {
+        Scene made{patches, materials, view(observer), {}, 0, mesh()};
+        for (std::size_t from = 0, to; from < lights.size(); from = to + 3) {
+            to = std::min(lights.find(" + ", from), lights.size());
+            add_source(lights.substr(from, to - from), made);
+        }
+        if (made.channels > 1) made.materials = coloured;
+        return made;
     }
     raster::Mesh mesh() const { return {vertices, normals, facets}; }
 
 private:
+    std::array<raster::Material, 1> coloured{
+        {{{215, 140, 60}, figure_material.specular, figure_material.shininess}}};
+
+    void add_source(const std::string& name, Scene& made) const {
+        struct Named {
+            std::string name, view;
+            raster::Levels level;
+        };
+        Named found{name, name, 256};
+        for (const Named& n : {Named{"dim", "right", 128}, Named{"red", "sun", {256, 64, 32}},
+                               Named{"panel", "lamp", 256}})
+            if (n.name == name) found = n;
+        Source source{made.light_count, 1, view(found.view), found.level};
+        made.lights[made.light_count++] = source.place;
+        if (name == "panel") {
+            source.lights = 4;
+            for (int k = 0; k < 4; ++k)
+                made.lights[source.first_light + static_cast<std::size_t>(k)] =
+                    on_panel(source.place, k % 2, k / 2);
+            made.light_count += 3;
+        }
+        if (!found.level.is_grey()) made.channels = 3;
+        made.sources[made.source_count++] = source;
+    }
+    raster::View on_panel(const raster::View& place, int i, int j) const {
+        const raster::World at = raster::place_on_area({-327680, 262144, 131072}, place.axes,
+                                                       131072, 2, i, j);
+        const auto square = static_cast<std::uint64_t>(std::int64_t{at.x} * at.x +
+                                                       std::int64_t{at.y} * at.y +
+                                                       std::int64_t{at.z} * at.z);
+        const std::uint64_t root = fixed::isqrt(square);
+        return lamp(at, place.extent,
+                    static_cast<std::int32_t>(root + (square - root * root > root ? 1 : 0)));
+    }
     void make_mesh() {
         patches.resize(raster::patches_per_sphere);
         vertices = {{-196608, -127795, 196608}, {196608, -127795, 196608},

@@ -79,30 +79,55 @@ Settings variant_settings(const std::string& list) {
     return settings;
 }
 
+// "direct2_blue": the second source's, in the third channel.
+struct BufferName {
+    std::string kind;
+    std::size_t number = 0, channel = 0;
+
+    explicit BufferName(const std::string& text) : kind(text) {
+        constexpr const char* channels[] = {"_red", "_green", "_blue"};
+        for (std::size_t c = 0; c < 3; ++c)
+            if (kind.ends_with(channels[c])) {
+                channel = c;
+                kind.resize(kind.size() - std::string(channels[c]).size());
+                break;
+            }
+        if (kind.back() < '2' || kind.back() > '9') return;
+        number = static_cast<std::size_t>(kind.back() - '1');
+        kind.pop_back();
+    }
+};
+
 template <class Depth>
-std::string buffer_hash(const test::Frame<Depth>& f, const std::string& buffer, int size) {
-    const LightBuffers<Depth>& light = f.buffers.lights[0];
-    if (buffer == "observer_z") return hash(f.buffers.observer.depth, size);
-    if (buffer == "light_z") return hash(light.map.depth, size);
-    if (buffer == "intensity") return hash(f.buffers.observer.intensity, size);
-    if (buffer == "direct") return hash(f.buffers.observer.direct, size);
-    if (buffer == "mask") return hash(light.mask, size);
-    if (buffer == "edges") return hash(light.edges, size);
-    if (buffer == "filtered") return hash(light.filtered, size);
-    if (buffer == "picture") return hash(f.buffers.picture, size);
+std::string buffer_hash(const test::Frame<Depth>& f, const Scene& scene, const std::string& text,
+                        int size) {
+    const BufferName name(text);
+    const FrameBuffers<Depth>& b = f.buffers;
+    const std::string& kind = name.kind;
+    if (kind == "observer_z") return hash(b.observer.depth, size);
+    if (kind == "light_z") return hash(b.lights[name.number].map.depth, size);
+    if (kind == "mask") return hash(b.lights[name.number].mask, size);
+    if (kind == "intensity") return hash(b.intensity(name.channel), size);
+    if (kind == "direct") return hash(b.direct(name.channel, name.number), size);
+    if (kind == "picture") return hash(b.picture_of(name.channel), size);
+    const LightBuffers<Depth>& source = b.lights[scene.source(name.number).first_light];
+    if (kind == "darkness") return hash(source.joined, size);
+    if (kind == "edges") return hash(source.edges, size);
+    if (kind == "filtered") return hash(source.filtered, size);
     return "no such buffer";
 }
 
 template <class Depth>
 void expect_variant(const std::vector<std::string>& row, const Settings& settings) {
-    const test::VariantScene scene(row[1]);
-    const test::Frame<Depth> f(scene.scene(row[2], row[3]), settings);
+    const test::VariantScene made(row[1]);
+    const Scene scene = made.scene(row[2], row[3]);
+    const test::Frame<Depth> f(scene, settings);
     ASSERT_EQ(f.status, FrameStatus::ok);
     for (const raster::DrawCounts& c : {f.counts.lights[0].map, f.counts.observer})
         EXPECT_EQ(c.unresolved + c.unresolved_facets, 0u);
     for (const std::string& buffer : split(row[5]))
         expect_documented("| " + row[0] + " | " + buffer + " | `" +
-                          buffer_hash(f, buffer, settings.machine.size_px()) + "` |");
+                          buffer_hash(f, scene, buffer, settings.machine.size_px()) + "` |");
 }
 
 // A row of the table, printed by its name alone.

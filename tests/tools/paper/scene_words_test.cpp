@@ -42,9 +42,9 @@ TEST(PaperSceneWords, HoldTheFiguresSceneAlone) {
               "the figures' words hold spheres alone");
     EXPECT_EQ(refused([](LoadedScene& s) { s.spheres[2].material = 1; }),
               "the figures' words hold one material");
-    EXPECT_EQ(refused([](LoadedScene& s) { s.light.extent += 1; }),
+    EXPECT_EQ(refused([](LoadedScene& s) { s.light().extent += 1; }),
               "the figures' words hold two views of one cube");
-    EXPECT_EQ(refused([](LoadedScene& s) { s.light.axes = raster::axes_from_angles(1, 0); }),
+    EXPECT_EQ(refused([](LoadedScene& s) { s.light().axes = raster::axes_from_angles(1, 0); }),
               "the figures' words hold azimuths of whole degrees at elevation 0");
     EXPECT_NE(refused([](LoadedScene& s) { s.settings.machine.z_bits = 15; }), "no error");
 }

@@ -68,7 +68,7 @@ struct DrawnCase {
     }
     std::vector<std::string> hashes() const {
         std::vector<std::string> all;
-        for (const Plane plane : all_planes) all.push_back(hash_of(job->buffer(plane)));
+        for (const PlaneOf& plane : job->planes()) all.push_back(hash_of(job->buffer(plane)));
         return all;
     }
 };

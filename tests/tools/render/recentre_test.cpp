@@ -48,7 +48,7 @@ TEST(Recentre, PlacesThatAreGivenMoveToo) {
     };
     const DrawnCase here(lamp(0), small_scene), there(lamp(20000), small_scene);
     EXPECT_EQ(there.hashes(), here.hashes());
-    EXPECT_EQ(there.scene.light.target, here.scene.light.target);
+    EXPECT_EQ(there.scene.light().target, here.scene.light().target);
     EXPECT_EQ(there.report->all.false_shadow, here.report->all.false_shadow);
 }
 

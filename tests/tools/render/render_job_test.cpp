@@ -33,7 +33,7 @@ struct SmallScene {
 
 std::vector<std::string> hashes(const RenderJob& job) {
     std::vector<std::string> all;
-    for (const Plane plane : all_planes) all.push_back(hash_of(job.buffer(plane)));
+    for (const PlaneOf& plane : job.planes()) all.push_back(hash_of(job.buffer(plane)));
     return all;
 }
 

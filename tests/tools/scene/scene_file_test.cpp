@@ -49,7 +49,7 @@ TEST(SceneFile, TheFiguresFileSaysWhatThePaperFiguresSay) {
     EXPECT_EQ(scene.materials[0].specular, shadow::figure_material.specular);
     EXPECT_EQ(scene.materials[0].shininess, shadow::figure_material.shininess);
     EXPECT_TRUE(same(scene.observer, shadow::figure_view(0)));
-    EXPECT_TRUE(same(scene.light, shadow::figure_view(shadow::figure_azimuth_q16)));
+    EXPECT_TRUE(same(scene.light(), shadow::figure_view(shadow::figure_azimuth_q16)));
     for (const shadow::Setting& s : shadow::settings_table())
         EXPECT_EQ(s.get(scene.settings), s.get(shadow::figure_settings(6))) << s.key;
     EXPECT_EQ(scene.free_patches, 0u);
@@ -98,29 +98,29 @@ TEST(SceneFile, ViewsAreFittedToTheScene) {
     const LoadedScene scene = parsed(text + left_light);
     EXPECT_EQ(scene.origin, (raster::World{3 << 16, 0, 0}));  // recentred
     EXPECT_EQ(scene.observer.target, raster::World{});
-    EXPECT_EQ(scene.light.target, scene.observer.target);
+    EXPECT_EQ(scene.light().target, scene.observer.target);
     EXPECT_EQ(scene.observer.extent, 1 << 16);  // from the front a ball's control box is the ball
-    EXPECT_GT(scene.light.extent, 1 << 16);
-    EXPECT_LT(scene.light.extent, (1 << 16) * 107 / 100);  // control points stand 6.8 % off
+    EXPECT_GT(scene.light().extent, 1 << 16);
+    EXPECT_LT(scene.light().extent, (1 << 16) * 107 / 100);  // control points stand 6.8 % off
     EXPECT_EQ(scene.observer.near_depth, -scene.observer.far_depth);
     EXPECT_EQ(lines_of(scene.warnings), Texts{});
 
     const LoadedScene given = parsed(text + left_light + "extent = 5\nfar = 7.5\n");
-    EXPECT_EQ(given.light.extent, 5 << 16);
-    EXPECT_EQ(given.light.far_depth, 15 << 15);
-    EXPECT_EQ(given.light.near_depth, -5 << 16);  // fitted: the cube
+    EXPECT_EQ(given.light().extent, 5 << 16);
+    EXPECT_EQ(given.light().far_depth, 15 << 15);
+    EXPECT_EQ(given.light().near_depth, -5 << 16);  // fitted: the cube
 }
 
 TEST(SceneFile, APointLightLooksAtTheSceneFromItsPlace) {
     const LoadedScene scene =
         parsed(std::string(unit_ball) + "[light]\nkind = \"point\"\nposition = [0, 3, 4]\n");
-    EXPECT_EQ(scene.light.projection, raster::Projection::perspective);
-    EXPECT_EQ(scene.light.distance, 5 << 16);
-    EXPECT_EQ(scene.light.axes.back, (raster::Axis{0, 644245094, 858993459}));
-    EXPECT_GE(scene.light.extent, 66892);  // sin a = 1/5: the tangent cone is 1.0206 wide
-    EXPECT_LT(scene.light.extent, (1 << 16) * 112 / 100);
-    EXPECT_GT(scene.light.near_depth, 3 << 16);
-    EXPECT_LT(scene.light.far_depth, 7 << 16);
+    EXPECT_EQ(scene.light().projection, raster::Projection::perspective);
+    EXPECT_EQ(scene.light().distance, 5 << 16);
+    EXPECT_EQ(scene.light().axes.back, (raster::Axis{0, 644245094, 858993459}));
+    EXPECT_GE(scene.light().extent, 66892);  // sin a = 1/5: the tangent cone is 1.0206 wide
+    EXPECT_LT(scene.light().extent, (1 << 16) * 112 / 100);
+    EXPECT_GT(scene.light().near_depth, 3 << 16);
+    EXPECT_LT(scene.light().far_depth, 7 << 16);
     EXPECT_EQ(scene.settings.machine.coefficient_bits, 24);  // profile perspective24
     EXPECT_EQ(lines_of(scene.warnings), Texts{});
 }
@@ -186,16 +186,16 @@ TEST(SceneFile, SetReachesTheViews) {
         figures_path, Texts{"light.azimuth=-80", "light.extent=3", "observer.target=[0, 1, 0]",
                             "observer.projection=perspective", "observer.distance=8.5",
                             "light.azimuth=-79.5"});  // the later wins
-    EXPECT_EQ(scene.light.axes.back,
+    EXPECT_EQ(scene.light().axes.back,
               raster::axes_from_angles(-79 * 65536 - 32768, 0).back);
-    EXPECT_EQ(scene.light.extent, 3 << 16);
+    EXPECT_EQ(scene.light().extent, 3 << 16);
     EXPECT_EQ(scene.observer.target, (raster::World{0, 1 << 16, 0}));  // the file is not recentred
     EXPECT_EQ(scene.observer.distance, 17 << 15);
     // Of a light that becomes a point the file's angles are left aside.
     EXPECT_EQ(load_scene(figures_path, Texts{"light.kind=point", "light.position=[0,0,9]"})
-                  .light.distance, 9 << 16);
+                  .light().distance, 9 << 16);
     // A table that the file does not have is made.
-    EXPECT_EQ(parsed(unit_ball, Texts{"light.azimuth=1"}).light.axes.back,
+    EXPECT_EQ(parsed(unit_ball, Texts{"light.azimuth=1"}).light().axes.back,
               raster::axes_from_angles(1 << 16, 0).back);
 }
 

@@ -105,7 +105,7 @@ TEST(StreamScene, ViewsAreFittedAsThoseOfTheSameSceneHeld) {
         ASSERT_TRUE(got.result.ok()) << got.result.error;
         const LoadedScene& scene = got.result.scene;
         expect_same_view(held.scene.observer, scene.observer);
-        expect_same_view(held.scene.light, scene.light);
+        expect_same_view(held.scene.light(), scene.light());
         EXPECT_EQ(held.scene.origin, scene.origin);
         shadow::FrameMatrices a, b;
         EXPECT_EQ(shadow::load_matrices(held.scene.view(), held.scene.settings, a),
@@ -152,7 +152,7 @@ TEST(StreamScene, ALargestCoordinateMovesNoView) {
         const Opened promised = streamed(views, true, "largest = 15.5\n");
         ASSERT_TRUE(plain.result.ok() && promised.result.ok()) << promised.result.error;
         expect_same_view(plain.result.scene.observer, promised.result.scene.observer);
-        expect_same_view(plain.result.scene.light, promised.result.scene.light);
+        expect_same_view(plain.result.scene.light(), promised.result.scene.light());
         EXPECT_LT(plain.result.scene.largest, promised.result.scene.largest);
     }
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int32_t one = 1 << 16;
 const std::string light = "[light]\nazimuth = -100\n[observer]\nrecentre = \"off\"\n";
-const std::string ball = "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n";
+const std::string sphere_table = "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n";
 
 // A patch in the plane z = 0.25 over 0 <= x, y <= 3, its points a unit apart.
 std::string patch_file() {
@@ -38,7 +38,7 @@ LoadedScene scene_of(const std::string& tables) {
 }
 
 TEST(ModelTables, PatchesAreTurnedScaledAndPlaced) {
-    const LoadedScene scene = scene_of(ball + "[[material]]\nname = \"clay\"\n"
+    const LoadedScene scene = scene_of(sphere_table + "[[material]]\nname = \"clay\"\n"
                                        "[[model]]\nfile = \"a.bpt\"\n"
                                        "[[model]]\nfile = \"a.bpt\"\nmaterial = \"clay\"\n"
                                        "place = [10, 20.5, 30]\nturn = [0, 90, 0]\nscale = 0.5\n"
@@ -59,7 +59,7 @@ TEST(ModelTables, PatchesAreTurnedScaledAndPlaced) {
 TEST(ModelTables, SmallScalesKeepTheirDigits) {
     const Files far{{"far.obj", "v 1048576 0 0\nv 1000000 0 0\nv 0 1 0\nf 1 2 3\n"}};
     const SceneResult result = read_with(
-        far, ball + "[[model]]\nfile = \"far.obj\"\nscale = 0.001\n" + light);
+        far, sphere_table + "[[model]]\nfile = \"far.obj\"\nscale = 0.001\n" + light);
     ASSERT_TRUE(result.ok()) << result.error;
     EXPECT_EQ(result.scene.vertices[0].x, 68719477);  // 1048.576 x 65536 = 68719476.7
     EXPECT_EQ(result.scene.vertices[1].x, 1000 * one);
@@ -67,7 +67,7 @@ TEST(ModelTables, SmallScalesKeepTheirDigits) {
 
 TEST(ModelTables, FacetsOfSeveralFilesShareTheScenesVertices) {
     const LoadedScene scene =
-        scene_of(ball + "[[triangle]]\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
+        scene_of(sphere_table + "[[triangle]]\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
                  "[[model]]\nfile = \"tent.obj\"\n"
                  "[[model]]\nfile = \"tent.obj\"\nplace = [5, 0, 0]\nshading = \"flat\"\n");
     ASSERT_EQ(scene.facets.size(), 1u + 2 + 2);

@@ -17,7 +17,7 @@ BiasedFrames::BiasedFrames(const LoadedScene& scene, const Traced& traced)
 
 double BiasedFrames::bias_quanta() const {
     std::int64_t q16 = 0;
-    const auto units = shadow::bias_units(scene_.light, settings().machine);
+    const auto units = shadow::bias_units(scene_.light(), settings().machine);
     if (!bias_in_quanta(settings().bias_q16, settings().bias_unit, units, q16))
         throw SceneError("the bias does not fit");
     return std::ldexp(static_cast<double>(q16), -16);

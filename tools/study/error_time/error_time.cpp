@@ -34,7 +34,7 @@ std::vector<GridKey> same_bias(const Request& request) {
     if (varies(request, "bias") || varies(request, "bias_unit")) return {};
     const shadow::Settings& s = request.scene.settings;
     const RenderJob job(request.scene.view(), s);
-    const BiasReport bias = bias_report(request.scene.light, job);
+    const BiasReport bias = bias_report(job);
     const auto word = static_cast<std::int64_t>(std::lround(std::ldexp(bias.texels, 16)));
     return {{"bias_unit", {"texels"}},
             {"bias", {tools::print(*shadow::find_setting("bias"), word)}}};

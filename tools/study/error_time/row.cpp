@@ -107,7 +107,7 @@ void set_profiles(Row& row, RenderJob& job) {
 Row error_time_row(const LoadedScene& scene, RenderJob& drawn, const Traced* known) {
     Row row;
     for (const Plane plane : {Plane::mask, Plane::filtered, Plane::picture})
-        row.set(fmt::format("{}_hash", name_of(plane)), hash_of(drawn.buffer(plane)));
+        row.set(drawn.buffer(plane).name + "_hash", hash_of(drawn.buffer(plane)));
     set_errors(row, scene, drawn, known);
     row.set("frame_bytes", whole(drawn.frame_bytes()));
     set_cycles(row, "", drawn);

@@ -121,7 +121,7 @@ void judge(const FrameCase& c, const LoadedScene& scene, Finding& f) {
     f.unresolved = static_cast<std::int64_t>(light.map.unresolved + seen_by_eye.unresolved);
     f.cycles = static_cast<std::int64_t>(job.ledger().total(true));
     const TransformError t = transform_error(
-        raster::observer_to_light(scene.observer, scene.light, scene.settings.machine,
+        raster::observer_to_light(scene.observer, scene.light(), scene.settings.machine,
                                   job.matrices().lights[0].bias_quanta_q16),
         scene.settings.machine);
     f.error = t.worst;

@@ -1,0 +1,96 @@
+#include "tools/scene/lights.hpp"
+
+#include "tools/scene/view_keys.hpp"
+
+#include <fmt/format.h>
+
+namespace umbra78::tools {
+namespace {
+
+using raster::Projection;
+using raster::View;
+
+enum class LightKind { directional, point, area };  // as the key's choices
+
+// The views of the lights on an area, each fitted to the scene where the file gives nothing.
+void read_area(const TableReader& in, const raster::World& origin, ScenePoints& points,
+               SceneLight& light) {
+    const auto size = static_cast<std::int32_t>(in.needed_number("size"));
+    const auto n = static_cast<int>(in.number("samples"));
+    const raster::World middle = less(in.needed_point("position"), origin);
+    if (in.error().any()) return;
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            View view = light.view;
+            const raster::World from =
+                raster::place_on_area(middle, light.view.axes, size, n, i, j);
+            const raster::World& to = view.target;
+            view.distance = rounded_length(std::int64_t{from.x} - to.x,
+                                           std::int64_t{from.y} - to.y,
+                                           std::int64_t{from.z} - to.z);
+            if (view.distance == 0 || !raster::axes_from_points(from, to, view.axes)) {
+                in.report(in.need("size"),
+                          fmt::format("{} puts a point of the area on its target, or beyond "
+                                      "32767 of it; make it smaller", in.called("size")));
+                return;
+            }
+            fit_view(in, view, points);
+            if (in.error().any()) return;
+            light.area.push_back(view);
+        }
+    }
+}
+
+SceneLight read_light(const TomlNode& node, ScenePoints& points, const raster::World& origin,
+                      FirstError& error) {
+    SceneLight light;
+    View& view = light.view;
+    const TableReader in(node, scene_table("light"), error);
+    view.target = read_target(in, points, origin);
+    const auto kind = static_cast<LightKind>(in.choice("kind"));
+    light.level_q8 = in.levels("level");
+    if (kind != LightKind::area) {
+        refuse(in, "size", "kind", "area");
+        refuse(in, "samples", "kind", "area");
+    }
+    if (kind == LightKind::directional) {
+        refuse(in, "position", "kind", "point");
+        in.need("azimuth");
+        look_by_angles(in, view);
+    } else {
+        refuse(in, "azimuth", "kind", "directional");
+        refuse(in, "elevation", "kind", "directional");
+        view.projection = Projection::perspective;
+        look_from_position(in, view, origin);
+    }
+    fit_view(in, view, points);
+    if (kind == LightKind::area && !error.any()) read_area(in, origin, points, light);
+    return light;
+}
+
+}  // namespace
+
+std::vector<SceneLight> read_lights(const TomlNode& root, ScenePoints& points,
+                                    const raster::World& origin, FirstError& error) {
+    std::vector<SceneLight> lights;
+    std::size_t maps = 0;
+    for (const TomlNode* node : light_nodes(root)) {
+        if (error.any()) break;
+        lights.push_back(read_light(*node, points, origin, error));
+        maps += lights.back().views().size();
+        if (lights.size() > shadow::max_sources)
+            report(error, *node, fmt::format("there are more than {} lights; leave some out",
+                                             shadow::max_sources));
+        else if (maps > shadow::max_lights)
+            report(error, *node,
+                   fmt::format("the lights have {} depth maps up to this one, and {} are possible; "
+                               "lower 'samples'", maps, shadow::max_lights));
+    }
+    if (lights.empty()) {
+        report(error, root, "there is no [light]; add [light] and azimuth = -100, or another");
+        lights.resize(1);
+    }
+    return lights;
+}
+
+}  // namespace umbra78::tools
