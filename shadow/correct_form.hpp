@@ -45,7 +45,7 @@ public:
     void sample(const raster::Sample& s, std::uint32_t code, const Shading* shading) {
         const std::size_t a = store_.address(s.px, s.py);
         if (code > store_.depth[a]) return;
-        const bool shadow = in_shadow(map_, unit_(words(s, code)), noise(s));
+        const bool shadow = in_shadow(map_, unit_(words(s, code)), noise(s), tap_noise(s));
         const raster::Shade shade = shading->shade(s, shadow);
         const std::uint8_t mask = shadow ? mask_shadow : mask_lit;
         if (code == store_.depth[a]) {
@@ -75,6 +75,12 @@ private:
     hw::DitherWords noise(const raster::Sample& s) const {
         if (!draws_noise_) return {0, 0};
         return hw::NoiseSource(drawn_dither(settings_), settings_.machine, s.px, s.py).next();
+    }
+
+    hw::TapBytes tap_noise(const raster::Sample& s) const {
+        const int taps = map_.window.noisy_taps();
+        if (taps == 0) return {};
+        return hw::TapNoise(settings_.dither.seed, taps, settings_.machine, s.px, s.py).next();
     }
 
     hw::FrameStore<Depth>& store_;

@@ -93,7 +93,8 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
         copy(light.edges, light.filtered);
         return lines;
     }
-    if (!plan.leaves_out(Omission::dequantize, l)) {
+    const bool has_edges = method_of(in).darkness == Darkness::binary;
+    if (has_edges && !plan.leaves_out(Omission::dequantize, l)) {
         counted.filtered_lines.dequantize = lines.count();
         counted.chain_steps =
             dequantize<Depth>(light.mask, frame.observer, none, settings.dequantize_passes,

@@ -35,6 +35,14 @@ constexpr ScenePicture table[] = {
     {.name = "mesh", .shows = "awkward polygons, flat, smooth", .scene = "mesh.toml"},
     {.name = "lamp", .shows = "a lamp over a table", .scene = "lamp.toml"},
     {.name = "corridor", .shows = "columns in steep perspective", .scene = "corridor.toml"},
+    {.name = "pcf1", .shows = "coarse map, nearest lookup", .scene = "pcf.toml",
+     .set = "lookup=nearest"},
+    {.name = "pcf2", .shows = "the same, 2 x 2 compared", .scene = "pcf.toml", .set = "taps=2"},
+    {.name = "pcf5", .shows = "the same, 5 x 5 compared", .scene = "pcf.toml"},
+    {.name = "pcf5_jittered", .shows = "the same, 5 x 5 jittered", .scene = "pcf.toml",
+     .set = "tap_places=jittered"},
+    {.name = "depth_mean5", .shows = "the wrong way: 5 x 5 depths' mean", .scene = "pcf.toml",
+     .set = "lookup=filtered_depth"},
 };
 
 // The observer's view is drawn once more by itself, for its time is that of a frame without shadow.

@@ -113,8 +113,9 @@ class Frame:
         return [code != self.s.background_code for code in self.observer_z]
 
     def make_edges(self):
-        self.made["edges"] = (dequantize(self.mask, self.visible(), self.s.dequantize,
-                                         self.s.size_px) if self.s.dequantize else self.mask)
+        passes = 0 if self.s.lookup == "percentage" else self.s.dequantize
+        self.made["edges"] = (dequantize(self.mask, self.visible(), passes, self.s.size_px)
+                              if passes else self.mask)
 
     def make_filtered(self):
         result = self.edges
