@@ -75,7 +75,7 @@ SheetCell cell_of(const DrawnScene& d, const std::string& title) {
         pieces += fmt::format("{}{} triangles", pieces.empty() ? "" : ", ", d.triangles);
     SheetCell cell{d.size_px, d.size_px, d.picture, {title, pieces}};
     if (d.error && d.error->graded.graded())
-        cell.caption.push_back(fmt::format("off by {} % of the light on average, {} % rms",
+        cell.caption.push_back(fmt::format("light off by {} % on average, rms {} %",
                                            percent(d.error->graded.mean_absolute()),
                                            percent(d.error->graded.rms())));
     else if (d.error)
