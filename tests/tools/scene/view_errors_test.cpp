@@ -123,11 +123,11 @@ TEST(ViewErrors, SetOverrides) {
          "nearest, bilinear, percentage, filtered_depth",
          {"lookup=cubic"}},
         {ball_and_light + "[settings]\nform = \"correct\"\nlookup = \"percentage\"\n",
-         "a.toml:8: 'lookup' in [settings] is the text 'percentage', which the machine cannot be "
+         "a.toml:8: 'lookup' in [settings] is percentage, which the machine cannot be "
          "built with (form = correct with arithmetic = fixed has lookup = nearest, bilinear, "
          "filtered_depth)"},
         {ball_and_light + "[settings]\nlookup = \"filtered_depth\"\n",
-         "--set arithmetic=ap120b: 'arithmetic' in [settings] is the text 'ap120b', which the "
+         "--set arithmetic=ap120b: 'arithmetic' in [settings] is ap120b, which the "
          "machine cannot be built with (form = post_process with arithmetic = ap120b has lookup = "
          "nearest, bilinear)",
          {"arithmetic=ap120b"}},
