@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <set>
@@ -206,6 +207,33 @@ TEST_F(WindowTable, TapsBeyondTheMapAreLit) {
     for (const int code : {0, 1, 65534})
         for (const Lookup lookup : {Lookup::percentage, Lookup::filtered_depth})
             EXPECT_EQ(dark(lookup, 3, 8 * one, 8 * one, code), 0) << "background darkens nothing";
+}
+
+// A plane that falls by 40 quanta a texel in x and 24 in y, seen at every eighth of a texel. Its
+// own taps lie up to k/2 texels before a point, so that it needs a bias of k (40 + 24) / 2, less
+// what an eighth falls; the mean of a window needs what one texel does.
+TEST_F(WindowTable, APlaneNeedsABiasThatGrowsWithTheWindow) {
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) set(x, y, 1000 + 40 * x + 24 * y);
+    const auto darkest = [&](Lookup lookup, int side, int bias) {
+        int most = 0;
+        for (int y = 5 * one; y < 11 * one; y += one / 8)
+            for (int x = 5 * one; x < 11 * one; x += one / 8) {
+                const int depth = 1000 + 40 * (x - one / 2) / one + 24 * (y - one / 2) / one;
+                most = std::max(most, dark(lookup, side, x, y, depth - bias));
+            }
+        return most;
+    };
+    for (int side = 2; side <= 5; ++side) {
+        const int needed = 32 * side - 8;
+        EXPECT_EQ(darkest(Lookup::percentage, side, needed), 0) << side;
+        EXPECT_EQ(darkest(Lookup::percentage, side, needed - 1), share_of_dark(1, {side, false}))
+            << side << ": the farthest tap alone";
+        EXPECT_EQ(darkest(Lookup::filtered_depth, side, 24), 0) << side;
+        EXPECT_EQ(darkest(Lookup::filtered_depth, side, 23), 255) << side;
+    }
+    EXPECT_EQ(darkest(Lookup::nearest, 1, 24), 0);
+    EXPECT_EQ(darkest(Lookup::nearest, 1, 23), 255);
 }
 
 // half_up(255 count / taps), all of them: both ends, and no step back.
