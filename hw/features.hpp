@@ -22,6 +22,7 @@
     X(dicing, "patches diced to triangles (needs triangles)") \
     X(leaf_sampling, "sampling = leaf") \
     X(bilinear, "lookup = bilinear") \
+    X(windows, "lookup = percentage and filtered_depth") \
     X(dither, "noise: dither other than none") \
     X(rows, "the post-process a scan line at a time: faster, the same bits") \
     X(correct_form, "form = correct") \

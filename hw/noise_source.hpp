@@ -76,4 +76,44 @@ private:
     fixed::NoiseRegister register_;
 };
 
+// --- the taps of a window -----------------------------------------------------------------------
+
+inline constexpr int max_taps = 25;  // 5 x 5
+
+// Two bytes for each tap of a point, row by row: where the tap lies in its cell.
+struct TapBytes {
+    std::array<std::uint8_t, max_taps> x{}, y{};
+};
+
+// The taps' bytes of successive pixels, from (x, y) on: 16 bits a tap, from half a period into the
+// stream of the same seed, so that they are not those of the dither.
+class TapNoise {
+public:
+    static constexpr std::uint64_t start = std::uint64_t{1} << 30;
+
+    // `taps` of 0..max_taps a pixel.
+    TapNoise(std::uint32_t seed, int taps, const MachineSpec& spec, int x, int y)
+        : taps_(taps), register_(seed) {
+        fixed::require(taps >= 0 && taps <= max_taps, "noise: 0..25 taps a pixel");
+        if (taps == 0) return;
+        const auto pixel =
+            (static_cast<std::uint64_t>(y) << spec.xy_bits) + static_cast<std::uint64_t>(x);
+        register_.jump(start + pixel * 16 * static_cast<std::uint64_t>(taps));
+    }
+
+    TapBytes next() {
+        TapBytes bytes;
+        for (std::size_t t = 0; t < static_cast<std::size_t>(taps_); ++t) {
+            const std::uint64_t pair = register_.take(16);
+            bytes.x[t] = static_cast<std::uint8_t>(pair & 255);
+            bytes.y[t] = static_cast<std::uint8_t>(pair >> 8);
+        }
+        return bytes;
+    }
+
+private:
+    int taps_;
+    fixed::NoiseRegister register_;
+};
+
 }  // namespace umbra78::hw

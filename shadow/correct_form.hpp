@@ -48,9 +48,10 @@ public:
         if (code > store_.depth[a]) return;
         const hw::Words place = words(s, code);
         const hw::DitherWords d = noise(s);
+        const hw::TapBytes taps = tap_noise(s);
         raster::Shadowed shadowed = 0;
         for (std::size_t l = 0; l < lights_.size(); ++l)
-            if (lights_[l] && in_shadow(lights_[l]->map, lights_[l]->unit(place), d))
+            if (lights_[l] && in_shadow(lights_[l]->map, lights_[l]->unit(place), d, taps))
                 shadowed |= 1u << l;
         const raster::Shades shade = shading->shade(s, shadowed);
         if (code == store_.depth[a]) {
@@ -102,6 +103,12 @@ private:
     hw::DitherWords noise(const raster::Sample& s) const {
         if (!draws_noise_) return {0, 0};
         return hw::NoiseSource(drawn_dither(settings_), settings_.machine, s.px, s.py).next();
+    }
+
+    hw::TapBytes tap_noise(const raster::Sample& s) const {
+        const int taps = window_of(settings_).noisy_taps();
+        if (taps == 0) return {};
+        return hw::TapNoise(settings_.dither.seed, taps, settings_.machine, s.px, s.py).next();
     }
 
     hw::FrameStore<Depth>& store_;

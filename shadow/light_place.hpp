@@ -126,32 +126,4 @@ constexpr std::int64_t blend_scale(const hw::MachineSpec& spec, std::int64_t cod
     return code * (std::int64_t{1} << (2 * spec.fraction_bits));
 }
 
-// --- addresses alone ------------------------------------------------------------------------
-
-struct Texel {
-    int x, y;
-    constexpr bool operator==(const Texel&) const = default;
-};
-
-struct Texels {
-    std::size_t count = 0;
-    std::array<Texel, 4> at{};
-};
-
-// The texels that a point's comparison reads, in the order in which it reads them: none outside
-// the volume; one; or those of the four that are on the map.
-constexpr Texels lookup_texels(const hw::MachineSpec& spec, Lookup lookup, const hw::Point& p,
-                               const hw::DitherWords& d) {
-    Texels texels;
-    const LightPlace place = light_place(spec, p, d);
-    if (!place.inside) return texels;
-    const bool four = interpolates(spec, lookup);
-    const TexelPlace t = texel_place(spec, four, place.x, place.y);
-    for (int k = 0; k < (four ? 4 : 1); ++k) {
-        const Texel texel{t.x + k % 2, t.y + k / 2};
-        if (on_map(spec, texel.x, texel.y)) texels.at[texels.count++] = texel;
-    }
-    return texels;
-}
-
 }  // namespace umbra78::shadow

@@ -21,6 +21,7 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
     const LineSet lines =
         work.empty_lines ? LineSet::all(size)
                          : lines_with_visible<Depth>(observer.depth, size, spec.background());
+    const int noisy_taps = map.window.noisy_taps();
     PostProcessCounts counts;
     for (int y = 0; y < size; ++y) {
         if (!lines.has(y)) {
@@ -29,18 +30,21 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
         }
         // The noise is clocked at every pixel, visible or not.
         hw::NoiseSource noise(drawn_dither(test), spec, 0, y);
+        hw::TapNoise tap_noise(test.dither.seed, noisy_taps, spec, 0, y);
         for (int x = 0; x < size; ++x) {
             const hw::DitherWords d = draws_noise ? noise.next() : hw::DitherWords{0, 0};
+            const hw::TapBytes taps = noisy_taps > 0 ? tap_noise.next() : hw::TapBytes{};
             const std::size_t a = observer.address(x, y);
             const std::uint32_t code = observer.depth[a];
             const bool visible = code != spec.background();
             mask[a] = mask_lit;
             if (!visible && !work.background) continue;
             ++counts.visible;
-            if (!in_shadow(map, unit(pixel_words(x, y, code, test)), d)) continue;
-            if (!visible) continue;  // transformed for nothing
+            const std::uint8_t dark =
+                darkness(map, unit(pixel_words(x, y, code, test)), d, taps);
+            if (dark == mask_lit || !visible) continue;  // background: transformed for nothing
             ++counts.shadowed;
-            mask[a] = mask_shadow;
+            mask[a] = dark;
         }
     }
     return counts;

@@ -1,12 +1,14 @@
 // The post-process (Williams 1978): every visible pixel, moved into the light's view and tested.
 //
 //   observer's (x, y, Z) --transform unit, bias in its Z row--> light's (X, Y, Z)
-//     --dither X, Y--> look up --> compare --> mask (255 in shadow, 0 lit or background)
+//     --dither X, Y--> look up --> compare --> mask (255 in shadow, 0 lit or background; by
+//                                              percentage lookup anything between, too)
 //
 // Its cost depends on the resolution alone: one transform a visible pixel, whatever was drawn.
 // `post_process` is the definition, one pixel at a time. `post_process_rows` runs the same
 // arithmetic one scan line at a time, in lanes that the compiler vectorizes; it covers words of
-// 1978's widths and affine views (rows_cover). Tests hold the two equal bit for bit.
+// 1978's widths, affine views and nearest or bilinear lookup (rows_cover). Tests hold the two equal
+// bit for bit.
 // Both read the depth maps (DepthMaps), write every byte of the mask, and trap if the maps or the
 // mask have other sizes than the machine.
 #pragma once
@@ -19,9 +21,6 @@
 #include <span>
 
 namespace umbra78::shadow {
-
-inline constexpr std::uint8_t mask_lit = 0;
-inline constexpr std::uint8_t mask_shadow = 255;
 
 // A pixel's words as they enter the transform unit.
 constexpr hw::Words pixel_words(int px, int py, std::uint32_t code, const ShadowTest& s) {
@@ -55,7 +54,7 @@ constexpr hw::Dither drawn_dither(const ShadowTest& s) {
 
 struct PostProcessCounts {
     std::uint64_t visible = 0;  // pixels transformed
-    std::uint64_t shadowed = 0;
+    std::uint64_t shadowed = 0;  // those whose darkness is not 0
     std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
 };
 

@@ -14,8 +14,13 @@ namespace umbra78::shadow {
 
 // A pixel's coordinate in the post-process: its centre, or its index (half a pixel off).
 enum class Registration : std::uint8_t { centre, index };
-// The light map's Z at a point: of the texel it falls in, or the exact mean of four.
-enum class Lookup : std::uint8_t { nearest, bilinear };
+// What a point is compared with: the light map's Z of the texel it falls in; the exact mean of
+// four; each of a window of texels by itself, so that the answer is a share of them (percentage
+// closer filtering: Reeves, Salesin & Cook 1987); or, to show why that is done, a window's mean.
+enum class Lookup : std::uint8_t { nearest, bilinear, percentage, filtered_depth };
+// Where a window's taps lie: on the texels nearest to the point, or one in each of as many cells
+// about the point, where the place's noise puts it.
+enum class TapPlaces : std::uint8_t { grid, jittered };
 // What bilinear lookup does where one of its four texels is background: it blends the background's
 // code like any other, or falls back to the nearest texel alone.
 enum class Background : std::uint8_t { blend, fall_back };
@@ -25,7 +30,14 @@ struct ShadowTest {
     Registration registration = Registration::centre;
     Lookup lookup = Lookup::nearest;
     Background background = Background::blend;
+    std::int32_t taps = 3;  // of a window, a side; 2..5
+    TapPlaces tap_places = TapPlaces::grid;
     hw::Dither dither{};
 };
+
+// Whether a lookup reads a window of taps x taps texels.
+constexpr bool has_window(Lookup lookup) {
+    return lookup == Lookup::percentage || lookup == Lookup::filtered_depth;
+}
 
 }  // namespace umbra78::shadow

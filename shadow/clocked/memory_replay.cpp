@@ -3,8 +3,8 @@
 
 #include "fixed/trap.hpp"
 #include "hw/noise_source.hpp"
-#include "shadow/light_place.hpp"
 #include "shadow/post_process.hpp"
+#include "shadow/window.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,6 +48,16 @@ private:
     Moment read_, unit_, light_, write_;  // when the last token left each stage
 };
 
+// Calls visit(first, count) for the texels of each request.
+template <class Visit>
+void for_requests(const Texels& t, Visit visit) {
+    for (std::size_t k = 0, end; k < t.count; k = end) {
+        end = k + 1;
+        while (end < t.count && t.cycle[end] == t.cycle[k]) ++end;
+        visit(k, end - k);
+    }
+}
+
 // A store on a machine with a clock: the time from a request to the first clock edge at which the
 // data is there.
 class ClockedStore {
@@ -61,16 +71,17 @@ public:
         return clocks(dram_.access({&p, 1}, at_ns) - at_ns);
     }
 
-    // Texels of one token: all in one request where they have a bank each, else one after the
-    // other, at most one address a clock.
+    // Texels of one token: those of a cycle of fetch in one request, and the requests one after the
+    // other, at most one a clock.
     std::uint64_t texels_ns(std::uint64_t at_ns, const Texels& t) {
-        std::array<hw::DramPlace, 4> places{};
+        std::array<hw::DramPlace, hw::max_taps> places{};
         for (std::size_t k = 0; k < t.count; ++k) places[k] = map_.place(t.at[k].x, t.at[k].y);
-        const std::size_t together = map_.banks == 4 ? 4 : 1;
-        std::uint64_t done = at_ns;
-        for (std::size_t k = 0; k < t.count; k += together)
-            done = dram_.access(std::span(places).subspan(k, std::min(together, t.count - k)),
-                                std::max(done, at_ns + k / together * clock_ns_));
+        std::uint64_t done = at_ns, earliest = at_ns;
+        for_requests(t, [&](std::size_t first, std::size_t count) {
+            done = dram_.access(std::span(places).subspan(first, count),
+                                std::max(done, earliest));
+            earliest += clock_ns_;
+        });
         return clocks(done - at_ns);
     }
 
@@ -91,9 +102,9 @@ class Replay {
 public:
     Replay(const TimedTest& s, std::uint64_t issue_cycles)
         : clock_(static_cast<std::uint64_t>(s.timing.clock_ns)), issue_ns_(issue_cycles * clock_),
-          banks_(s.timing.light_banks), map_{s.machine.xy_bits, 1, s.timing.dram.rows},
+          map_{s.machine.xy_bits, 1, s.timing.dram.rows},
           observer_(s.timing, map_, s.timing.dram.video != hw::Video::off),
-          light_(s.timing, {s.machine.xy_bits, banks_, s.timing.dram.rows},
+          light_(s.timing, {s.machine.xy_bits, s.timing.light_banks, s.timing.dram.rows},
                  s.timing.dram.video == hw::Video::all),
           mask_(s.timing, map_, s.timing.dram.video == hw::Video::all) {}
 
@@ -106,9 +117,10 @@ public:
                     unit_ns,
                     [&](std::uint64_t t) { return none ? clock_ : light_.texels_ns(t, texels); },
                     [&](std::uint64_t t) { return last ? mask_.word_ns(t, x, y) : clock_; });
-        const std::uint64_t reads = none || banks_ == 4 ? 1 : texels.count;
+        std::uint64_t requests = none ? 1 : 0;
+        for_requests(texels, [&](std::size_t, std::size_t) { ++requests; });
         const auto a_clock = [&](std::uint64_t) { return clock_; };
-        ideal_.token(a_clock, unit_ns, [&](std::uint64_t) { return reads * clock_; }, a_clock);
+        ideal_.token(a_clock, unit_ns, [&](std::uint64_t) { return requests * clock_; }, a_clock);
         ++ledger_.pixels;
         ledger_.visible += visible;
         ledger_.looked_up += !none;
@@ -128,7 +140,6 @@ public:
 
 private:
     std::uint64_t clock_, issue_ns_;
-    int banks_;
     hw::DramMap map_;
     ClockedStore observer_, light_, mask_;
     Pipeline real_, ideal_;
@@ -143,17 +154,21 @@ MemoryLedger replay(const hw::FrameStore<const Depth>& observer, const hw::Matri
     check_observer(observer, spec);
     const hw::TransformUnit unit(spec, matrix);
     const bool dithered = !hw::silent(settings.dither, spec);
+    fixed::require(window_in_range(settings), "lookup: a window has 2 to 5 taps a side");
+    const int noisy_taps = window_of(settings).noisy_taps();
     Replay memory(settings, issue_cycles);
     for (int y = 0; y < spec.size_px(); ++y) {
         hw::NoiseSource noise(drawn_dither(settings), spec, 0, y);
+        hw::TapNoise tap_noise(settings.dither.seed, noisy_taps, spec, 0, y);
         for (int x = 0; x < spec.size_px(); ++x) {
+            const hw::TapBytes taps = noisy_taps > 0 ? tap_noise.next() : hw::TapBytes{};
             const hw::DitherWords d = dithered ? noise.next() : hw::DitherWords{0, 0};
             const std::uint32_t code = observer.depth[observer.address(x, y)];
             const bool visible = code != spec.background();
             Texels texels;
             if (visible)
-                texels = lookup_texels(spec, settings.lookup,
-                                       unit(pixel_words(x, y, code, settings)), d);
+                texels = lookup_texels(settings, settings.timing.light_banks,
+                                       unit(pixel_words(x, y, code, settings)), d, taps);
             memory.token(x, y, visible, texels);
         }
     }

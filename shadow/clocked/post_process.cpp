@@ -10,11 +10,14 @@ PostProcessPipeline::PostProcessPipeline(const TimedTest& s, const hw::MatrixWor
     : transform(checked(s).machine, s.timing, matrix), divide(s.machine, s.timing, matrix),
       lookup(s), divides(!matrix.affine), dithers(s.dither.shape != hw::DitherShape::none) {
     read_cycles = dithers ? hw::ClockedNoise::cycles_per_pixel(s.dither, s.timing) : 1;
-    const int interpolate = lookup.blends ? lookup.interpolate_cycles() : 0;
+    read_cycles = std::max(read_cycles, tap_noise_cycles(lookup.window, s.timing));
+    const int between = lookup.blends ? lookup.interpolate_cycles()
+                        : lookup.sums() ? lookup.fetch_cycles()
+                                        : 0;
     slot_cycles = std::max({transform.cycles(), divides ? divide.cycles() : 1,
-                            lookup.fetch_cycles(), interpolate, 1});
+                            lookup.fetch_cycles(), between, 1});  // comparing takes no longer
     latency = transform.latency() + (divides ? divide.latency() : 0) + lookup.fetch_cycles() +
-              interpolate + 3;  // place, compare, write
+              between + lookup.compare_cycles() + 2;  // place, write
 }
 
 namespace {

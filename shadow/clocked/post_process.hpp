@@ -41,6 +41,7 @@ enum class StageKind : std::uint8_t {
     place,
     fetch,
     interpolate,
+    sum,
     compare,
     write
 };
@@ -60,6 +61,7 @@ struct PointRegisters {
     std::int32_t px = 0, py = 0;
     std::uint32_t code = 0;
     hw::DitherWords dither{0, 0};
+    hw::TapBytes taps{};
     hw::TransformRegisters transform;
     hw::DividerRegisters divider;
     hw::Point point{};

@@ -28,11 +28,12 @@ ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const DepthMaps<Depth>& maps
     }
     const int place = chain_.stages();
     add_lookup_stages(chain_, plan_.lookup);
-    const bool blends = plan_.lookup.blends;
-    name_stage(place, StageKind::place);
-    name_stage(place + 1, StageKind::fetch);
-    if (blends) name_stage(place + 2, StageKind::interpolate);
-    name_stage(place + 2 + (blends ? 1 : 0), StageKind::compare);
+    int next = place;
+    name_stage(next++, StageKind::place);
+    name_stage(next++, StageKind::fetch);
+    if (plan_.lookup.blends) name_stage(next++, StageKind::interpolate);
+    if (plan_.lookup.sums()) name_stage(next++, StageKind::sum);
+    name_stage(next, StageKind::compare);
     name_stage(chain_.add("write"), StageKind::write);
 }
 
@@ -76,13 +77,16 @@ void ClockedPostProcess<Depth, Rule>::work(int stage, int cycle, PointRegisters&
             f.divider.step(plan_.divide, step);
             if (step == plan_.divide.latency() - 1) finish_divide(f);
             break;
-        case StageKind::place: f.lookup.place(plan_.lookup, f.point, f.dither); break;
+        case StageKind::place: 
+            f.lookup.place(plan_.lookup, f.point, f.dither, f.taps);
+            break;
         case StageKind::fetch: f.lookup.fetch(plan_.lookup, map_, cycle); break;
         case StageKind::interpolate: f.lookup.interpolate(plan_.lookup, cycle); break;
-        case StageKind::compare: f.lookup.compare(plan_.lookup); break;
+        case StageKind::sum: f.lookup.add(plan_.lookup, cycle); break;
+        case StageKind::compare: f.lookup.compare(plan_.lookup, cycle); break;
         case StageKind::write:
-            mask_[observer_.address(f.px, f.py)] = f.lookup.shadow ? mask_shadow : mask_lit;
-            counts_.shadowed += f.lookup.shadow;
+            mask_[observer_.address(f.px, f.py)] = f.lookup.darkness;
+            counts_.shadowed += f.lookup.darkness != mask_lit;
             break;
     }
 }
@@ -147,6 +151,11 @@ void ClockedPostProcess<Depth, Rule>::issue() {
     f.py = static_cast<std::int32_t>(address >> observer_.xy_bits);
     f.code = found_code_;
     f.dither = plan_.dithers ? noise_.words() : hw::DitherWords{0, 0};
+    // The taps' register is not stepped cycle by cycle: its bits are the place's.
+    const int taps = plan_.lookup.window.noisy_taps();
+    f.taps = taps == 0 ? hw::TapBytes{}
+                       : hw::TapNoise(settings_.dither.seed, taps, settings_.machine, f.px, f.py)
+                             .next();
     f.transform.load(plan_.transform, pixel_words(f.px, f.py, f.code, settings_));
     chain_.enter(next_slot_);
     last_slot_ = next_slot_;

@@ -122,6 +122,8 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
     if (!plan.leaves_out(Omission::noise))
         c.noise = (when_drawn ? tested : read) *
                   word(hw::ClockedNoise::cycles_per_pixel(drawn_dither(s), s.timing));
+    // Without them there are no taps, so no plan leaves them out.
+    c.noise += (when_drawn ? tested : read) * word(tap_noise_cycles(window_of(s), s.timing));
     c.store = tested * word(LookupPipeline(s).fetch_cycles()) +
               (when_drawn ? 0 : read + pixels + empty);
     return c;

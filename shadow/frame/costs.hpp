@@ -50,7 +50,8 @@ struct DrawnFrame {
     DrawnFrame(const FrameInputs& of, std::span<const FrameLedger> by_light)
         : inputs(of), ledgers(by_light) {}
     // Of one light.
-    DrawnFrame(const FrameInputs& of, const FrameLedger& ledger) : inputs(of), ledgers(&ledger, 1) {}
+    DrawnFrame(const FrameInputs& of, const FrameLedger& ledger)
+        : inputs(of), ledgers(&ledger, 1) {}
 };
 
 // Traps for a method that has no such costs (Method::no_plan_cost), and without a light's ledger.

@@ -26,6 +26,7 @@ constexpr std::string_view missing_feature(const Scene& scene, const Settings& s
                {dicing, diced},
                {leaf_sampling, s.sampling == raster::Sampling::leaf},
                {bilinear, s.lookup == Lookup::bilinear},
+               {windows, has_window(s.lookup)},
                {dither, s.dither.shape != hw::DitherShape::none},
                {correct_form, s.form == Form::correct},
                {ap120b, s.arithmetic == Arithmetic::ap120b},

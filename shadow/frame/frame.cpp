@@ -98,7 +98,8 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
         copy(light.edges, light.filtered);
         return lines;
     }
-    if (!plan.leaves_out(Omission::dequantize, l)) {
+    const bool has_edges = method_of(in).darkness == Darkness::binary;
+    if (has_edges && !plan.leaves_out(Omission::dequantize, l)) {
         counted.filtered_lines.dequantize = lines.count();
         counted.chain_steps =
             dequantize<Depth>(light.joined, frame.observer, none, settings.dequantize_passes,
@@ -144,7 +145,7 @@ void darken(const FrameInputs& in, std::size_t channel, std::size_t source,
     }
 }
 
-// A source's darkness from the masks of its lights: the share of them that is in shadow.
+// A source's darkness from the masks of its lights: their mean, rounded half up.
 template <class Depth>
 void join(const Source& source, FrameBuffers<Depth>& frame) {
     if (!source.has_area()) return;  // the darkness is its light's mask
@@ -152,9 +153,9 @@ void join(const Source& source, FrameBuffers<Depth>& frame) {
     const std::span<std::uint8_t> joined = lights.front().joined;
     const auto n = static_cast<std::uint32_t>(source.lights);
     for (std::size_t a = 0; a < joined.size(); ++a) {
-        std::uint32_t shadowed = 0;
-        for (const LightBuffers<Depth>& light : lights) shadowed += light.mask[a] == mask_shadow;
-        joined[a] = static_cast<std::uint8_t>((510 * shadowed + n) / (2 * n));
+        std::uint32_t sum = 0;
+        for (const LightBuffers<Depth>& light : lights) sum += light.mask[a];
+        joined[a] = static_cast<std::uint8_t>((2 * sum + n) / (2 * n));
     }
 }
 

@@ -172,7 +172,7 @@ void add_filters(const FrameInputs& in, std::uint64_t chain_steps, const Filtere
                  PhaseLedger& of_dequantize, PhaseLedger& of_low_pass, PhaseLedger& of_composite) {
     const Settings& s = in.settings;
     const auto size = static_cast<std::uint64_t>(s.machine.size_px());
-    if (s.dequantize_passes > 0)
+    if (s.dequantize_passes > 0 && method_of(in).darkness == Darkness::binary)
         of_dequantize = phase(chain_steps * cost::chain_step(s.dequantize_passes) +
                                   lines.dequantize * size * cost::coverage_pixel,
                               in);

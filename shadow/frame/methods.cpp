@@ -145,12 +145,17 @@ constexpr auto cost_of_plan = built(Feature::ledger) ? post_process_cycles : nul
 constexpr std::string_view no_cost =
     built(Feature::ledger) ? "" : "the ledger is not built; build with the feature ledger";
 
+constexpr std::array answering_lookups{Lookup::nearest, Lookup::bilinear, Lookup::filtered_depth};
+constexpr std::array array_lookups{Lookup::nearest, Lookup::bilinear};
+constexpr std::array graded_lookups{Lookup::percentage};
+
 constexpr Method post_process_method{
     .name = "post_process",
     .meaning = "visible pixels are tested after the picture is drawn (Williams 1978)",
     .cannot = "a highlight in shadow is darkened and not left out",
     .form = Form::post_process,
     .arithmetic = Arithmetic::fixed,
+    .lookups = answering_lookups,
     .max_z_bits = 24,
     .depth_layers = 1,
     .surfaces = Surfaces::patches,
@@ -168,12 +173,23 @@ constexpr Method post_process_method{
     .stages16 = as_built(post_process_stages<hw::Depth16>),
     .stages32 = as_built(post_process_stages<hw::Depth32>)};
 
+constexpr Method with_shares(Method method) {
+    method.name = "percentage";
+    method.meaning = "by percentage closer filtering (Reeves, Salesin & Cook 1987)";
+    method.cannot = "no edge to dequantize; no correct form: no sample is shaded by a share";
+    method.lookups = graded_lookups;
+    method.darkness = Darkness::graded;
+    return method;
+}
+constexpr Method percentage_method = with_shares(post_process_method);
+
 constexpr Method correct_method{
     .name = "correct",
     .meaning = "each generated point is tested before it is shaded (Williams 1978, p. 272)",
     .cannot = "its cost grows with everything that is drawn; no light has an area",
     .form = Form::correct,
     .arithmetic = Arithmetic::fixed,
+    .lookups = answering_lookups,
     .max_z_bits = 24,
     .depth_layers = 1,
     .surfaces = Surfaces::patches,
@@ -194,9 +210,11 @@ constexpr Method correct_method{
 constexpr Method array_method{
     .name = "ap120b",
     .meaning = "the post-process in the floating point of an FPS AP-120B",
-    .cannot = "no correct form, and z_bits up to 16, because the host sends 16-bit integers",
+    .cannot = "no correct form, no window of taps, and z_bits up to 16, because the host sends "
+              "16-bit integers",
     .form = Form::post_process,
     .arithmetic = Arithmetic::ap120b,
+    .lookups = array_lookups,
     .max_z_bits = 16,
     .depth_layers = 1,
     .surfaces = Surfaces::patches,
@@ -216,12 +234,14 @@ constexpr Method array_method{
 
 // The rows that are built.
 constexpr std::size_t rows_built =
-    1 + (built(Feature::correct_form) ? 1 : 0) + (built(Feature::ap120b) ? 1 : 0);
+    1 + (built(Feature::windows) ? 1 : 0) + (built(Feature::correct_form) ? 1 : 0) +
+    (built(Feature::ap120b) ? 1 : 0);
 
 constexpr std::array<Method, rows_built> build_table() {
     std::array<Method, rows_built> rows{};
     std::size_t n = 0;
     rows[n++] = post_process_method;
+    if constexpr (built(Feature::windows)) rows[n++] = percentage_method;
     if constexpr (built(Feature::correct_form)) rows[n++] = correct_method;
     if constexpr (built(Feature::ap120b)) rows[n++] = array_method;
     return rows;
@@ -234,7 +254,9 @@ std::span<const Method> methods() { return table; }
 
 const Method* method_of(const Settings& settings) {
     for (const Method& m : table)
-        if (m.form == settings.form && m.arithmetic == settings.arithmetic) return &m;
+        if (m.form == settings.form && m.arithmetic == settings.arithmetic &&
+            std::ranges::find(m.lookups, settings.lookup) != m.lookups.end())
+            return &m;
     return nullptr;
 }
 
@@ -246,7 +268,8 @@ const Method& method_of(const FrameInputs& in) {
 
 bool method_can(const Settings& settings) {
     const Method* method = method_of(settings);
-    return method != nullptr && settings.machine.z_bits <= method->max_z_bits;
+    return method != nullptr && settings.machine.z_bits <= method->max_z_bits &&
+           window_in_range(settings);
 }
 
 }  // namespace umbra78::shadow

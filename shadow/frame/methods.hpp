@@ -5,8 +5,8 @@
 // cannot do. The plan, the stages, the ledger, the costs, the instruments and the studies ask the
 // row; nothing else depends on which method it is. A further method is a further row.
 //
-// The settings `form` and `arithmetic` choose the row. A test may hand in a row of its own instead
-// (FrameInputs::method).
+// The settings `form`, `arithmetic` and `lookup` choose the row. A test may hand in a row of its
+// own instead (FrameInputs::method).
 #pragma once
 
 #include "hw/operations.hpp"
@@ -53,6 +53,7 @@ struct Method {
     std::string_view cannot;      // in plain words; "" if there is nothing
     Form form;                    // the settings that choose it
     Arithmetic arithmetic;
+    std::span<const Lookup> lookups;
     int max_z_bits;
     int depth_layers;             // Z codes a texel of the light's map: 1 or 2
     Surfaces surfaces;

@@ -79,6 +79,12 @@ bool same_dither(const Settings& a, const Settings& b) {
            a.dither.seed == b.dither.seed;
 }
 
+bool same_window(const Settings& a, const Settings& b) {
+    if (!has_window(a.lookup)) return true;
+    return a.taps == b.taps && a.tap_places == b.tap_places &&
+           (a.tap_places == TapPlaces::grid || a.dither.seed == b.dither.seed);
+}
+
 // How a point is tested against light l, given both Z planes; the bias is in the matrix.
 bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
     const Settings &s = a.settings, &t = b.settings;
@@ -89,7 +95,8 @@ bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
            hw::product_cut(s.machine) == hw::product_cut(t.machine) &&
            (m.observer_to_light.affine || s.machine.divide_order == t.machine.divide_order) &&
            s.registration == t.registration && s.lookup == t.lookup &&
-           (!bilinear || s.background == t.background) && same_dither(s, t);
+           (!bilinear || s.background == t.background) && same_window(s, t) &&
+           same_dither(s, t);
 }
 
 bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) {

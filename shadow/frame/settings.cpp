@@ -19,7 +19,9 @@ constexpr std::array<std::string_view, 2> surface_names{"catmull", "diced"};
 constexpr std::array<std::string_view, 2> facing_names{"both", "front"};
 constexpr std::array<std::string_view, 2> sampling_names{"leaf", "centre"};
 constexpr std::array<std::string_view, 2> registration_names{"centre", "index"};
-constexpr std::array<std::string_view, 2> lookup_names{"nearest", "bilinear"};
+constexpr std::array<std::string_view, 4> lookup_names{"nearest", "bilinear", "percentage",
+                                                       "filtered_depth"};
+constexpr std::array<std::string_view, 2> tap_places_names{"grid", "jittered"};
 constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"};
 constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
@@ -91,10 +93,16 @@ constexpr std::array table{
         "registration", registration_names,
         "a pixel's coordinate in the post-process: its centre, or its index (half a pixel off)"),
     choice<UMBRA78_ACCESS(lookup)>("lookup", lookup_names,
-                                   "light-map Z: of one texel, or interpolated between four"),
+                                   "light-map Z: of one texel, interpolated between four, each of "
+                                   "a window compared by itself, or a window's mean (wrong)"),
     choice<UMBRA78_ACCESS(background)>(
         "background", background_names,
         "bilinear lookup beside the background: blend its Z, or fall back to nearest"),
+    whole<UMBRA78_ACCESS(taps)>("taps", "taps", 2, max_taps_a_side,
+                                "a side of the window of percentage and filtered_depth lookup"),
+    choice<UMBRA78_ACCESS(tap_places)>(
+        "tap_places", tap_places_names,
+        "a window's taps: the texels nearest to the point, or cells about it, each at random"),
     decimal<UMBRA78_ACCESS(bias_q16)>(
         "bias", "bias_unit", -(std::int64_t{1} << 40), std::int64_t{1} << 40, 16,
         "taken from the transformed Z before it is compared"),

@@ -11,6 +11,7 @@
 #include "shadow/bias.hpp"
 #include "shadow/clocked/timed_test.hpp"
 #include "shadow/filters/composite.hpp"
+#include "shadow/window.hpp"
 
 #include <cstdint>
 #include <span>
@@ -22,8 +23,8 @@ enum class Form : std::uint8_t { post_process, correct };
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
 enum class Arithmetic : std::uint8_t { fixed, ap120b };
 
-// What the shadow test reads (machine, timing, registration, lookup, background, dither) is the
-// base class; the members here are what the other stages of a frame read.
+// What the shadow test reads (machine, timing, registration, lookup, background, taps, tap_places,
+// dither) is the base class; the members here are what the other stages of a frame read.
 struct Settings : TimedTest {
     raster::PatchForm surface = raster::PatchForm::catmull;
     std::int32_t dice_levels = 3;  // a diced patch has at most 2^levels cells a side

@@ -202,7 +202,7 @@ TEST(Compare, RandomPlacesAgainstTheSlowModel) {
         s.machine.xy_bits = 4;
         test::OwnedStore<hw::Depth32> light(4);
         test::fill_depth(random, s.machine, light.depth);
-        const LightMap<hw::Depth32> map{light.store, s.machine, s.lookup, s.background};
+        const LightMap<hw::Depth32> map = light_map<hw::Depth32>(light.store, s);
         const std::int64_t edge = std::int64_t{8} << s.machine.fraction_bits;
         for (int k = 0; k < 60; ++k) {
             hw::Point p{random.between(-edge - 2, edge + 2),
@@ -210,17 +210,21 @@ TEST(Compare, RandomPlacesAgainstTheSlowModel) {
             const auto noise = static_cast<std::int32_t>(edge / 8);
             const hw::DitherWords d{static_cast<std::int32_t>(random.between(-noise, noise)),
                                     static_cast<std::int32_t>(random.between(-noise, noise))};
-            // The least code in shadow, by bisection on the slow model.
+            hw::TapBytes taps;
+            for (auto* bytes : {&taps.x, &taps.y})
+                for (std::uint8_t& b : *bytes) b = static_cast<std::uint8_t>(random.bits());
+            // The least code that is so dark, by bisection on the slow model.
+            const auto level = static_cast<int>(random.between(1, 255));
             const std::int64_t min = -s.machine.depth_offset();
             std::int64_t low = min, high = min + s.machine.deepest_drawn();
             while (low < high) {
                 p.z = low + (high - low) / 2;
-                test::slow_in_shadow(map, p, d) ? high = p.z : low = p.z + 1;
+                test::slow_darkness(map, p, d, taps) >= level ? high = p.z : low = p.z + 1;
             }
             for (p.z = low - 2; p.z <= low + 2; ++p.z) {
-                const bool expected = test::slow_in_shadow(map, p, d);
-                ++(expected ? shadowed : lit);
-                ASSERT_EQ(in_shadow(map, p, d), expected)
+                const int expected = test::slow_darkness(map, p, d, taps);
+                ++(expected != 0 ? shadowed : lit);
+                ASSERT_EQ(darkness(map, p, d, taps), expected)
                     << "round " << round << " at " << p.x << " " << p.y << " " << p.z;
             }
         }

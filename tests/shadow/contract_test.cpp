@@ -187,6 +187,12 @@ TEST(Contract, TheAp120bsHostSendsSixteenBits) {
     ASSERT_EQ(s.machine.z_bits, 17);
     EXPECT_DEATH(array_post_process(test::maps_of(observer, light), {}, true, s, mask),
                  "its host sends Z codes of up to 16 bits");
+    s.machine.z_bits = 16;
+    for (const Lookup lookup : {Lookup::percentage, Lookup::filtered_depth}) {
+        s.lookup = lookup;
+        EXPECT_DEATH(array_post_process(test::maps_of(observer, light), {}, true, s, mask),
+                     "it looks up one texel or four, no window");
+    }
 }
 
 TEST(Contract, APicturesStoreHasIntensitiesAndDirectShares) {

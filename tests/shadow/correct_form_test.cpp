@@ -265,13 +265,15 @@ TEST(CorrectSink, EverySampleIsTheSlowModels) {
     int shadowed = 0, lit = 0;
     for (int round = 0; round < 200; ++round) {
         Settings s = test::random_settings(random, false);
+        if (s.lookup == Lookup::percentage) s.lookup = Lookup::filtered_depth;  // yes or no
+        s.machine.xy_bits = std::min(s.machine.xy_bits, 5);
         const hw::MachineSpec& m = s.machine;
         test::OwnedStore<hw::Depth32> observer(m.xy_bits), light(m.xy_bits);
         observer.store.clear(m);
         test::fill_depth(random, m, light.depth);
         std::vector<std::uint8_t> mask(observer.depth.size(), mask_lit);
         const hw::MatrixWords matrix = test::random_matrix(random, m, random.bits() % 2 == 0);
-        const LightMap<hw::Depth32> map{light.store, m, s.lookup, s.background};
+        const LightMap<hw::Depth32> map = light_map<hw::Depth32>(light.store, s);
         TestedLights<hw::Depth32> lights;
         lights[0].emplace(TestedLight<hw::Depth32>{map, hw::TransformUnit(m, matrix), mask});
         CorrectSink<hw::Depth32> sink(observer.store, lights, s, needed_work(s).noise);
@@ -279,6 +281,7 @@ TEST(CorrectSink, EverySampleIsTheSlowModels) {
         const raster::Material material;  // it must outlive the shading, which refers to it
         const raster::BlockShading flat({}, shading, material);
         const test::SlowNoise noise(s.dither, m);
+        const test::SlowTapNoise taps(s);
         const std::int64_t edge = std::int64_t{m.half_px()} << 13;
         for (int n = 0; n < 300; ++n) {
             const auto a = static_cast<std::size_t>(
@@ -294,9 +297,9 @@ TEST(CorrectSink, EverySampleIsTheSlowModels) {
             const raster::Sample sample{px, py, place(), place(), 0, 8, 8};
             observer.depth[a] = m.background();
             sink.sample(sample, code, &flat);
-            const bool expected = test::slow_in_shadow(
+            const bool expected = test::slow_darkness(
                 map, test::slow_transform(matrix, m, sample_words(s, sample, code)),
-                noise.words(a));
+                noise.words(a), taps.bytes(a)) != 0;
             ASSERT_EQ(mask[a], expected ? 255 : 0) << "round " << round << " " << describe(s);
             ASSERT_EQ(observer.depth[a], code);
             ++(expected ? shadowed : lit);

@@ -39,7 +39,7 @@ void expect_same(const std::vector<std::uint8_t>& expected, const std::vector<st
 
 TEST(PostProcess, IsTheSlowModel) {
     Random random;
-    std::uint64_t shadowed = 0;
+    std::uint64_t shadowed = 0, graded = 0;
     for (int round = 0; round < 150; ++round) {
         Settings s = test::random_settings(random, false);
         s.machine.xy_bits = 4;
@@ -49,8 +49,9 @@ TEST(PostProcess, IsTheSlowModel) {
         test::fill_depth(random, m, observer.depth);
         test::fill_depth(random, m, light.depth);
         const hw::MatrixWords matrix = test::random_matrix(random, m, random.bits() % 2 == 0);
-        const LightMap<hw::Depth32> map{light.store, m, s.lookup, s.background};
+        const LightMap<hw::Depth32> map = light_map<hw::Depth32>(light.store, s);
         const test::SlowNoise noise(s.dither, m);
+        const test::SlowTapNoise taps(s);
 
         std::vector<std::uint8_t> expected(pixels), mask(pixels, 7);
         PostProcessCounts count;
@@ -61,9 +62,10 @@ TEST(PostProcess, IsTheSlowModel) {
                 matrix, m,
                 test::slow_words(s, static_cast<int>(a % 16), static_cast<int>(a / 16),
                                  observer.depth[a]));
-            if (!test::slow_in_shadow(map, p, noise.words(a))) continue;
-            ++count.shadowed;
-            expected[a] = 255;
+            const int dark = test::slow_darkness(map, p, noise.words(a), taps.bytes(a));
+            count.shadowed += dark != 0;
+            graded += dark != 0 && dark != 255;
+            expected[a] = static_cast<std::uint8_t>(dark);
         }
         const PostProcessCounts got = post_process(maps_of(observer, light), matrix, s, mask);
         EXPECT_EQ(got.visible, count.visible) << describe(s);
@@ -73,6 +75,7 @@ TEST(PostProcess, IsTheSlowModel) {
         shadowed += got.shadowed;
     }
     EXPECT_GT(shadowed, 2000u) << "too little in shadow for a test";
+    EXPECT_GT(graded, 200u) << "too few partly in shadow for a test";
 }
 
 std::uint64_t empty_lines(std::span<const hw::Depth32> depth, std::uint32_t background) {
@@ -116,18 +119,19 @@ TEST(PostProcess, WorkForNothingChangesNothing) {
                                  : work.empty_lines ? 256
                                                     : 16 * lines);
         }
-        const LightMap<hw::Depth32> map{light.store, s.machine, s.lookup, s.background};
+        const LightMap<hw::Depth32> map = light_map<hw::Depth32>(light.store, s);
         const test::SlowNoise noise(s.dither, s.machine);
+        const test::SlowTapNoise taps(s);
         for (std::size_t k = 0; k < 256; ++k)
             background_in_shadow +=
                 observer.depth[k] == s.machine.background() &&
-                test::slow_in_shadow(
+                0 != test::slow_darkness(
                     map,
                     test::slow_transform(matrix, s.machine,
                                          test::slow_words(s, static_cast<int>(k % 16),
                                                           static_cast<int>(k / 16),
                                                           observer.depth[k])),
-                    noise.words(k));
+                    noise.words(k), taps.bytes(k));
     }
     EXPECT_GT(background_in_shadow, 300u) << "too few for a test";
 }
@@ -265,6 +269,8 @@ TEST(PostProcessRows, CoverWhatTheySay) {
     };
     using W = hw::MatrixWords;
     EXPECT_FALSE(covers([](Settings&, W& w) { w.affine = false; }));
+    EXPECT_FALSE(covers([](Settings& s, W&) { s.lookup = Lookup::percentage; }));
+    EXPECT_FALSE(covers([](Settings& s, W&) { s.lookup = Lookup::filtered_depth; }));
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.xy_bits = 10; })) << "wider than a row";
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.z_bits = 17; }));
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.coefficient_bits = 17; }));

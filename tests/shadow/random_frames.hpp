@@ -99,7 +99,11 @@ inline Settings random_settings(Random& random, bool rows) {
     m.transform_rounding = rows ? pick(random, {fixed::Rounding::half_up, fixed::Rounding::floor})
                                 : random.rounding();
     s.registration = pick(random, {Registration::centre, Registration::index});
-    s.lookup = pick(random, {Lookup::nearest, Lookup::bilinear});
+    s.lookup = rows ? pick(random, {Lookup::nearest, Lookup::bilinear})
+                    : pick(random, {Lookup::nearest, Lookup::bilinear, Lookup::bilinear,
+                                    Lookup::percentage, Lookup::filtered_depth});
+    s.taps = between(2, 5);
+    s.tap_places = pick(random, {TapPlaces::grid, TapPlaces::jittered});
     s.background = pick(random, {Background::blend, Background::fall_back});
     s.dither.shape = static_cast<hw::DitherShape>(random.bits() % 5);
     s.dither.size_q8 = pick(random, {0, 1, 64, 255, 256, 257, 700, 1024});

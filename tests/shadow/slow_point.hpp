@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace umbra78::shadow::test {
@@ -60,6 +61,48 @@ private:
     hw::Dither dither_;
     int fraction_;
     std::vector<bool> bit_;
+};
+
+// A window's taps' bytes: the noise's bits from the 2^30-th on, pixel after pixel. The first of
+// them come from the recurrence for a power of two, b[n] = b[n - 31 s] xor b[n - 28 s], the rest
+// one by one.
+class SlowTapNoise {
+public:
+    explicit SlowTapNoise(const ShadowTest& s)
+        : taps_(s.tap_places == TapPlaces::jittered &&
+                        (s.lookup == Lookup::percentage || s.lookup == Lookup::filtered_depth)
+                    ? s.taps * s.taps
+                    : 0),
+          seed_(s.dither.seed) {
+        bit_.resize(static_cast<std::size_t>(16 * taps_) << (2 * s.machine.xy_bits));
+        for (std::size_t n = 0; n < bit_.size(); ++n)
+            bit_[n] = n < 31 ? bit((std::uint64_t{1} << 30) + n) : bit_[n - 31] != bit_[n - 28];
+    }
+    hw::TapBytes bytes(std::size_t pixel) const {
+        hw::TapBytes out;
+        const auto taps = static_cast<std::size_t>(taps_);
+        for (std::size_t t = 0; t < taps; ++t) {
+            const std::size_t first = 16 * (pixel * taps + t);
+            for (std::size_t k = 0; k < 8; ++k) {
+                out.x[t] = static_cast<std::uint8_t>(out.x[t] | bit_[first + k] << k);
+                out.y[t] = static_cast<std::uint8_t>(out.y[t] | bit_[first + 8 + k] << k);
+            }
+        }
+        return out;
+    }
+
+private:
+    bool bit(std::uint64_t n) {
+        if (n < 31) return (seed_ >> n & 1) != 0;
+        if (const auto found = known_.find(n); found != known_.end()) return found->second;
+        std::uint64_t s = 1;
+        while (62 * s <= n) s *= 2;
+        return known_[n] = bit(n - 31 * s) != bit(n - 28 * s);
+    }
+    int taps_;
+    std::uint32_t seed_;
+    std::vector<bool> bit_;
+    std::map<std::uint64_t, bool> known_;
 };
 
 // Input words have as many fraction bits as Z needs, and one at least: a pixel's centre.

@@ -86,7 +86,11 @@ SheetCell cell_of(const DrawnScene& d, std::span<const std::uint8_t> gray,
     if (d.triangles > 0)
         pieces += fmt::format("{}{} triangles", pieces.empty() ? "" : ", ", d.triangles);
     SheetCell cell{d.size_px, d.size_px, gray, {title, pieces}};
-    if (d.error)
+    if (d.error && d.error->graded.graded())
+        cell.caption.push_back(fmt::format("light off by {} % on average, rms {} %",
+                                           percent(d.error->graded.mean_absolute()),
+                                           percent(d.error->graded.rms())));
+    else if (d.error)
         cell.caption.push_back(fmt::format("false shadow {} %, false light {} %",
                                            percent(d.error->all.false_shadow_rate()),
                                            percent(d.error->all.false_light_rate())));
@@ -188,20 +192,33 @@ void print_rows(const FigureSet& set, const Statuses& goldens) {
 
 void print_scenes(const Drawn& drawn, const Statuses& goldens) {
     if (drawn.scenes.empty()) return;
-    fmt::print("\n{:<14}{:<35}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", "picture", "shows", "hash",
-               "golden", "patches", "triangles", "FS %", "FL %");
+    constexpr const char* format =
+        "{:<14}{:<35}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n";
+    fmt::print("\n");
+    fmt::print(format, "picture", "shows", "hash", "golden", "patches", "triangles", "FS %", "FL %",
+               "mean %", "rms %", "lit %", "umbra %");
     for (const DrawnScene& d : drawn.scenes) {
         const std::string name(d.of->name);
         if (!d.left_out.empty()) {
             fmt::print("{:<14}left out: {}\n", name, d.left_out);
             continue;
         }
-        fmt::print("{:<14}{:<35}{:<39}{:<8}{:>8}{:>10}{:>8}{:>8}\n", name, d.of->shows,
-                   d.coloured() ? "see figures.json" : hash_of(d.buffers().front()),
-                   status(d, goldens), d.patches, d.triangles,
-                   percent(d.error ? d.error->all.false_shadow_rate() : Rate()),
-                   percent(d.error ? d.error->all.false_light_rate() : Rate()));
+        const auto rate = [&](auto of) { return percent(d.error ? Rate(of(*d.error)) : Rate()); };
+        const auto graded = [&](double (GradedError::*of)() const) {
+            return rate([&](const ShadowReport& r) { return (r.graded.*of)(); });
+        };
+        const std::string hash =
+            d.coloured() ? "see figures.json" : hash_of(d.buffers().front());
+        fmt::print(format, name, d.of->shows, hash, status(d, goldens), d.patches, d.triangles,
+                   rate([](const ShadowReport& r) { return r.all.false_shadow_rate(); }),
+                   rate([](const ShadowReport& r) { return r.all.false_light_rate(); }),
+                   graded(&GradedError::mean_absolute), graded(&GradedError::rms),
+                   graded(&GradedError::lit_below_98_rate),
+                   graded(&GradedError::umbra_above_2_rate));
     }
+    fmt::print("\nmean, rms: how far the filtered mask is from the light that truth sees; lit: lit "
+               "pixels that get less than\n98 % of it; umbra: pixels in shadow that get more than "
+               "2 %. These hold for masks with grey levels, too.\n");
     fmt::print("\nWhat the shadow of each light costs, over the observer's view alone:\n{}",
                cost_table(drawn.scenes));
 }

@@ -51,6 +51,37 @@ ordered_json to_json(const ShadowError& error) {
             {"shadowed_pixels", error.shadowed}};
 }
 
+ordered_json to_json(const GradedError& e) {
+    const auto of = [](double value, int pixels) {
+        return to_json(pixels > 0 ? std::optional(value) : std::nullopt);
+    };
+    return {{"mean_absolute", of(e.mean_absolute(), e.pixels())},
+            {"rms", of(e.rms(), e.pixels())},
+            {"lit_below_98_percent", of(e.lit_below_98_rate(), e.lit)},
+            {"umbra_above_2_percent", of(e.umbra_above_2_rate(), e.umbra)}};
+}
+
+std::string print(const GradedError& e) {
+    const auto share = [](double rate, int pixels) {
+        return pixels > 0 ? percent(rate) + " %" : percent(std::nullopt);
+    };
+    return fmt::format("of the light that truth sees: {} on average, {} rms; {} of the lit pixels "
+                       "get less than 98 %, {} of those in shadow more than 2 %\n",
+                       share(e.mean_absolute(), e.pixels()), share(e.rms(), e.pixels()),
+                       share(e.lit_below_98_rate(), e.lit),
+                       share(e.umbra_above_2_rate(), e.umbra));
+}
+
+std::string print_rates(const ShadowReport& report) {
+    const auto rate = [](std::optional<double> r) { return r ? percent(r) + " %" : percent(r); };
+    return fmt::format(
+        "false shadow {}, false light {}; outside one light texel of the edge {}, {}; "
+        "{} isolated pixels\n",
+        rate(false_shadow(report.all)), rate(false_light(report.all)),
+        rate(false_shadow(report.outside_band)), rate(false_light(report.outside_band)),
+        report.isolated_pixels);
+}
+
 }  // namespace
 
 BiasReport bias_report(const RenderJob& job, std::size_t light) {
@@ -73,17 +104,11 @@ std::string percent(std::optional<double> rate) {
 }
 
 std::string print(const ShadowReport& report) {
-    const auto rate = [](std::optional<double> r) { return r ? percent(r) + " %" : percent(r); };
     std::string text = "error       ";
     if (report.coverage && !report.coverage->complete())
         text += fmt::format("{} % of all pixels are missing, extra, misplaced or wrong in shadow\n"
                             "            of those compared: ", percent(report.wrong_share()));
-    text += fmt::format(
-        "false shadow {}, false light {}; outside one light texel of the edge {}, {}; "
-        "{} isolated pixels\n",
-        rate(false_shadow(report.all)), rate(false_light(report.all)),
-        rate(false_shadow(report.outside_band)), rate(false_light(report.outside_band)),
-        report.isolated_pixels);
+    text += report.graded.graded() ? print(report.graded) : print_rates(report);
     if (report.coverage) text += print(*report.coverage, report);
     if (!std::isnan(report.edge.mean))
         text += fmt::format("edge        {:.2f} pixels from the true edge on average, at most "
@@ -114,8 +139,11 @@ ordered_json to_json(const StageTimes& times) {
 
 ordered_json to_json(const std::optional<ShadowReport>& report) {
     if (!report) return nullptr;
-    ordered_json json = to_json(report->all);
-    json["outside_light_texel_band"] = to_json(report->outside_band);
+    ordered_json rates = to_json(report->all);
+    rates["outside_light_texel_band"] = to_json(report->outside_band);
+    // Rates of right and wrong pixels are of binary masks.
+    ordered_json json = report->graded.graded() ? ordered_json{{"at_threshold", rates}} : rates;
+    json["graded"] = to_json(report->graded);
     json["edge_distance_px"] = {{"mean", report->edge.mean},
                                 {"hausdorff", report->edge.hausdorff}};
     if (report->coverage) {

@@ -21,7 +21,8 @@ BiasReport bias_report(const RenderJob&, std::size_t light = 0);
 
 std::string print(const BiasReport&);      // "64 quanta = 0.5 texels = 0.00390625 world units"
 std::string percent(std::optional<double> rate);  // "23.87" or "n/a"
-// The lines error, compared, edge and truth. A rate of no pixels is n/a.
+// The lines error, compared, edge and truth. A rate of no pixels is n/a. Of a mask with grey levels
+// the error is in the light that is seen; its rates at the threshold are in the JSON alone.
 std::string print(const ShadowReport&);
 
 nlohmann::ordered_json to_json(const BiasReport&);

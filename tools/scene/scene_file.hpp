@@ -24,8 +24,8 @@ LoadedScene parse_scene(std::string_view text, const std::string& name,
 LoadedScene load_streamed_scene(const std::string& path, std::span<const std::string> overrides,
                                 bool spool);
 
-// Throws SceneError for a scene with several depth maps or with colour. `what` looks at one light in
-// grey: "umbra78 trace".
+// Throws SceneError for a scene with several depth maps or with colour. `what` looks at one light
+// in grey: "umbra78 trace".
 void require_one_light(const LoadedScene&, const std::string& what);
 
 // The files that the scene at `path` names, which count from its folder.

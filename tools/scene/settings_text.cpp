@@ -1,6 +1,7 @@
 #include "tools/scene/settings_text.hpp"
 
 #include "fixed/decimal.hpp"
+#include "shadow/frame/methods.hpp"
 #include "shadow/frame/profiles.hpp"
 #include "tools/io/text_formats.hpp"
 #include "tools/scene/table_reader.hpp"
@@ -37,6 +38,27 @@ ordered_json json_value(const Setting& setting, std::int64_t word) {
     if (setting.kind == SettingKind::decimal)
         return static_cast<double>(word) / static_cast<double>(std::int64_t{1} << setting.fraction);
     return setting.names[static_cast<std::size_t>(word)];
+}
+
+// Why no machine has these settings, as far as the table of settings does not say it.
+std::string why_not_built(const Settings& s, const Setting& setting) {
+    if (shadow::method_of(s) != nullptr) return std::string(setting.meaning);
+    const auto name = [&](std::string_view key, std::int64_t word) {
+        return shadow::find_setting(key)->names[static_cast<std::size_t>(word)];
+    };
+    const auto called = [&](std::string_view key) {
+        const Setting& of = *shadow::find_setting(key);
+        return fmt::format("{} = {}", key, name(key, of.get(s)));
+    };
+    std::vector<std::string_view> lookups;
+    for (const shadow::Method& m : shadow::methods())
+        if (m.form == s.form && m.arithmetic == s.arithmetic)
+            for (const shadow::Lookup lookup : m.lookups)
+                lookups.push_back(name("lookup", static_cast<std::int64_t>(lookup)));
+    if (lookups.empty())
+        return fmt::format("there is no {} with {}", called("form"), called("arithmetic"));
+    return fmt::format("{} with {} has lookup = {}", called("form"), called("arithmetic"),
+                       fmt::join(lookups, ", "));
 }
 
 }  // namespace
@@ -82,7 +104,7 @@ void apply_settings(const TomlNode& table, Settings& settings, FirstError& error
         if (!shadow::can_be_built(settings))  // a width with gaps in its range
             report(error, node,
                    fmt::format("{} is {}, which the machine cannot be built with ({})",
-                               called(node), node.text, setting->meaning));
+                               called(node), node.text, why_not_built(settings, *setting)));
     }
 }
 

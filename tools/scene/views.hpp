@@ -1,5 +1,6 @@
-// Reads the observer of a scene file into a view, and what all views say of the scene. A key that the file leaves out is
-// fitted to the points of all surfaces. After an error a view is not to be used.
+// Reads the observer of a scene file into a view, and what all views say of the scene. A key that
+// the file leaves out is fitted to the points of all surfaces. After an error a view is not to be
+// used.
 #pragma once
 
 #include "tools/scene/scene_points.hpp"

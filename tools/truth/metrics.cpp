@@ -26,6 +26,29 @@ ShadowError shadow_error(const Truth& truth, const MachineMask& mask,
     return error;
 }
 
+double GradedError::mean_absolute() const {
+    return pixels() ? double(absolute) / 255 / pixels() : 0;
+}
+double GradedError::rms() const {
+    return pixels() ? std::sqrt(double(squares) / pixels()) / 255 : 0;
+}
+
+GradedError graded_error(const Truth& truth, const MachineMask& mask,
+                         std::span<const std::uint8_t> leave_out) {
+    GradedError error;
+    for_compared(truth, mask, leave_out, [&](std::size_t at) {
+        const int dark = mask.shadow[at];
+        const auto off = static_cast<std::uint64_t>(truth.lit[at] ? dark : 255 - dark);
+        error.absolute += off;
+        error.squares += off * off;
+        const bool beyond = off * 100 > 255 * 2;  // off by more than 2 % of the light
+        (truth.lit[at] ? error.lit : error.umbra) += 1;
+        (truth.lit[at] ? error.lit_below_98 : error.umbra_above_2) += beyond;
+        error.between += dark != 0 && dark != 255;
+    });
+    return error;
+}
+
 int isolated_pixels(const MachineMask& mask, int size) {
     expect_image(mask.shadow.size(), size);
     int isolated = 0;

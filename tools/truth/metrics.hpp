@@ -39,6 +39,29 @@ struct ShadowError {
 ShadowError shadow_error(const Truth&, const MachineMask&,
                          std::span<const std::uint8_t> leave_out = {});
 
+// How far a mask is from the fraction of the light that is seen, which is 0 or 1 for a light at
+// infinity or at a point. Unlike the rates above it holds for masks with grey levels, too.
+struct GradedError {
+    int lit = 0, umbra = 0;            // in truth: all of the light is seen, or none
+    std::uint64_t absolute = 0;        // sum of |mask - truth|, in 255ths
+    std::uint64_t squares = 0;         // of their squares, in 255ths squared
+    int lit_below_98 = 0;              // lit pixels that get less than 98 % of the light
+    int umbra_above_2 = 0;             // umbra pixels that get more than 2 %
+    int between = 0;                   // pixels whose mask is neither 0 nor 255
+
+    int pixels() const { return lit + umbra; }
+    bool graded() const { return between > 0; }
+    // Of pixels() > 0, lit > 0 and umbra > 0; else 0.
+    double mean_absolute() const;
+    double rms() const;
+    double lit_below_98_rate() const { return lit ? double(lit_below_98) / lit : 0; }
+    double umbra_above_2_rate() const { return umbra ? double(umbra_above_2) / umbra : 0; }
+};
+
+// Over every pixel that both see and where `leave_out` is 0.
+GradedError graded_error(const Truth&, const MachineMask&,
+                         std::span<const std::uint8_t> leave_out = {});
+
 // Drawn pixels with drawn 4-neighbours none of which has the same answer.
 int isolated_pixels(const MachineMask&, int size);
 

@@ -126,6 +126,7 @@ ShadowReport report(const SceneTruth& truth, const MachineMask& mask, const Band
                     const Buffer* depths) {
     ShadowReport made{shadow_error(truth.truth, mask, truth.unlit_side),
                       shadow_error(truth.truth, mask, band),
+                      graded_error(truth.truth, mask, truth.unlit_side),
                       edge_distance(truth.truth, mask, truth.unlit_side),
                       isolated_pixels(mask, truth.truth.size),
                       mask.threshold,

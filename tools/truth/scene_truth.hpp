@@ -37,7 +37,8 @@ TruthView truth_view(const raster::View&, int size_px);
 
 // `outside_band` leaves out one light texel mapped back to the observer, and the mask's filter.
 struct ShadowReport {
-    ShadowError all, outside_band;
+    ShadowError all, outside_band;  // at the threshold; of a graded mask they say little
+    GradedError graded;
     EdgeDistance edge{};
     int isolated_pixels = 0;
     int threshold = 128;

@@ -93,7 +93,8 @@ void PixelTracer::stage_work(int stage, int step) {
         case StageKind::place: trace_place(log_, point()); break;
         case StageKind::fetch: trace_fetch(log_, point(), step); break;
         case StageKind::interpolate: trace_interpolate(log_, point(), step); break;
-        case StageKind::compare: trace_compare(log_, point()); break;
+        case StageKind::sum: trace_sum(log_, point(), step); break;
+        case StageKind::compare: trace_compare(log_, point(), step); break;
         case StageKind::write: trace_write(log_, point(), frame_.mask()[index_]); break;
     }
     ++unit_step_;
@@ -143,12 +144,12 @@ const char* name_of(PixelOutcome outcome) {
 }  // namespace
 
 std::string summary(const PixelTrace& t) {
-    const bool shadow = t.mask == shadow::mask_shadow;
     const char* how = t.outcome == PixelOutcome::background    ? "background: the reader drops it"
                       : t.outcome == PixelOutcome::no_quotient ? "no quotient: lit"
                       : t.outcome == PixelOutcome::outside     ? "outside the light's volume: lit"
-                      : shadow                      ? "in shadow"
-                                                    : "lit";
+                      : t.mask == shadow::mask_lit    ? "lit"
+                      : t.mask == shadow::mask_shadow ? "in shadow"
+                                                      : "in shadow in part";
     return fmt::format("{}, cycles {} to {}", how, t.first_cycle, t.last_cycle);
 }
 

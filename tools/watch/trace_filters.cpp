@@ -4,6 +4,7 @@
 #include "shadow/filters/composite.hpp"
 #include "shadow/filters/dequantize.hpp"
 #include "shadow/filters/low_pass.hpp"
+#include "shadow/frame/methods.hpp"
 
 #include <fmt/format.h>
 
@@ -118,6 +119,8 @@ void trace_filters(TraceLog& log, const WatchedFrame& frame, const RenderJob& jo
         log.say("background stays 0 in every filter");
     } else if (frame.settings().dequantize_passes == 0) {
         log.say("left out: edges = mask");
+    } else if (shadow::method_of(job.inputs()).darkness == shadow::Darkness::graded) {
+        log.say("left out, for a graded mask has no edge to follow: edges = mask");
     } else {
         trace_dequantize(log, at, job);
     }

@@ -24,6 +24,48 @@ void say_outside(TraceLog& log, const TracedPoint& p) {
         log.say("k is outside the light's volume: lit, and nothing is read");
 }
 
+// The first texel of a grid.
+void trace_first(TraceLog& log, const TracedPoint& p) {
+    const hw::MachineSpec& m = p.spec();
+    const int f = m.fraction_bits, k = p.plan.lookup.window.side;
+    const auto how = [&](const char* axis) {
+        return fmt::format("((2 {} - {}) >> {}) + {}: the first of {}", axis,
+                           std::int64_t{k - 1} << f, f + 1, m.half_px(), k);
+    };
+    log.word("tx", signed_word(p.flight.lookup.tx, m.xy_bits + 1), how("X"));
+    log.word("ty", signed_word(p.flight.lookup.ty, m.xy_bits + 1), how("Y"));
+}
+
+void trace_jitter(TraceLog& log, const TracedPoint& p) {
+    const shadow::LookupRegisters& l = p.flight.lookup;
+    for (int t = 0; t < p.plan.lookup.window.taps(); ++t) {
+        const auto k = static_cast<std::size_t>(t);
+        const int i = t % p.plan.lookup.window.side, j = t / p.plan.lookup.window.side;
+        const auto byte = [&](const char* name, std::uint8_t value, int texel) {
+            log.word(fmt::format("{}({},{})", name, i, j), unsigned_word(value, 8),
+                     fmt::format("256ths of the tap's cell, which put it on texel {}", texel));
+        };
+        byte("u", l.noise.x[k], l.tap[k].x);
+        byte("v", l.noise.y[k], l.tap[k].y);
+    }
+}
+
+// Both sides of the comparison of percentage and filtered_depth lookup.
+void trace_window(TraceLog& log, const TracedPoint& p) {
+    const hw::MachineSpec& m = p.spec();
+    const shadow::LookupRegisters& l = p.flight.lookup;
+    const int taps = p.plan.lookup.window.taps();
+    if (p.plan.lookup.counts()) {
+        log.word("count", unsigned_word(l.count, 5),
+                 fmt::format("of {} taps whose code is less than k", taps));
+        return log.word("darkness", unsigned_word(l.darkness, 8),
+                        fmt::format("half_up(255 x {} / {})", l.count, taps));
+    }
+    log.word("taps k", unsigned_word(taps * l.code, m.z_bits + 5), "the point's side");
+    log.word("sum", unsigned_word(l.sum, m.z_bits + 5), "the light map's side");
+    log.word("shadow", unsigned_word(l.darkness == shadow::mask_shadow, 1), "taps k > sum");
+}
+
 }  // namespace
 
 void trace_place(TraceLog& log, const TracedPoint& p) {
@@ -39,6 +81,8 @@ void trace_place(TraceLog& log, const TracedPoint& p) {
     if (l.outside) return say_outside(log, p);
     log.say(fmt::format("inside the light's volume: {} <= X, Y < {} and 0 <= k <= {}", -edge, edge,
                         m.deepest_drawn()));
+    if (p.plan.lookup.window.jittered) return trace_jitter(log, p);
+    if (shadow::has_window(p.plan.lookup.lookup)) return trace_first(log, p);
     const bool blends = p.plan.lookup.blends;
     const auto how = [&](const char* axis) {
         const std::string from =
@@ -56,9 +100,9 @@ void trace_fetch(TraceLog& log, const TracedPoint& p, int step) {
     const shadow::LookupRegisters& l = p.flight.lookup;
     if (l.outside) return;
     const shadow::LookupPipeline& plan = p.plan.lookup;
-    const int each = plan.blends ? plan.banks : 1;
-    for (int k = step * each; k < (step + 1) * each; ++k) {
-        const int x = l.tx + (k & 1), y = l.ty + (k >> 1);
+    for (int k = 0; k < plan.window.taps(); ++k) {
+        if (!plan.takes(step, k)) continue;
+        const auto [x, y] = l.tap[static_cast<std::size_t>(k)];
         const std::uint32_t code = l.texel[static_cast<std::size_t>(k)];
         const bool beyond = !shadow::on_map(p.spec(), x, y);
         log.word(fmt::format("z({},{})", x, y), unsigned_word(code, p.spec().z_bits),
@@ -89,33 +133,45 @@ void trace_interpolate(TraceLog& log, const TracedPoint& p, int step) {
     log.word("blend", unsigned_word(l.blend, blend_bits(p.spec()), 2 * f), "along y");
 }
 
-void trace_compare(TraceLog& log, const TracedPoint& p) {
+void trace_sum(TraceLog& log, const TracedPoint& p, int step) {
+    const shadow::LookupRegisters& l = p.flight.lookup;
+    if (l.outside || step < p.plan.lookup.fetch_cycles() - 1) return;
+    log.word("sum", unsigned_word(l.sum, p.spec().z_bits + 5),
+             fmt::format("of the {} codes", p.plan.lookup.window.taps()));
+}
+
+void trace_compare(TraceLog& log, const TracedPoint& p, int step) {
     const hw::MachineSpec& m = p.spec();
     const shadow::LookupRegisters& l = p.flight.lookup;
-    if (l.outside) return log.say("lit without a comparison");
     const shadow::LookupPipeline& plan = p.plan.lookup;
+    if (step < plan.compare_cycles() - 1) return;
+    if (l.outside) return log.say("lit without a comparison");
+    if (shadow::has_window(plan.lookup)) return trace_window(log, p);
+    const bool shadow = l.darkness == shadow::mask_shadow;
     std::size_t texel = 0;
     if (plan.blends) {
-        if (!shadow::falls_back(m, plan.background, l.texel)) {
+        if (!shadow::falls_back(m, plan.background, l.four())) {
             const int f = m.fraction_bits;
             log.word("k q^2", unsigned_word(shadow::blend_scale(m, l.code), blend_bits(m), 2 * f),
                      "the point's side");
             log.word("blend", unsigned_word(l.blend, blend_bits(m), 2 * f), "the light map's side");
-            return log.word("shadow", unsigned_word(l.shadow, 1), "k q^2 > blend");
+            return log.word("shadow", unsigned_word(shadow, 1), "k q^2 > blend");
         }
         texel = shadow::nearest_of_four(m, l.fx, l.fy);
         log.say("one of the four is background: falls back to the nearest texel");
     }
     log.word("k", unsigned_word(l.code, m.z_bits), "the point's side");
     log.word("z", unsigned_word(l.texel[texel], m.z_bits), "the light map's side");
-    log.word("shadow", unsigned_word(l.shadow, 1), "k > z");
+    log.word("shadow", unsigned_word(shadow, 1), "k > z");
 }
 
 void trace_write(TraceLog& log, const TracedPoint& p, std::uint8_t mask) {
     const std::int64_t address = (std::int64_t{p.flight.py} << p.spec().xy_bits) + p.flight.px;
     log.word("address", unsigned_word(address, 2 * p.spec().xy_bits), "py N + px");
     log.word("mask", unsigned_word(mask, 8),
-             mask == shadow::mask_shadow ? "in shadow" : "lit");
+             mask == shadow::mask_shadow ? "in shadow"
+             : mask == shadow::mask_lit  ? "lit"
+                                         : "in shadow in part");
 }
 
 }  // namespace umbra78::tools

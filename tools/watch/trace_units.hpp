@@ -57,7 +57,8 @@ void trace_divide(TraceLog&, const TracedPoint&, int step, std::uint64_t cycle);
 void trace_place(TraceLog&, const TracedPoint&);
 void trace_fetch(TraceLog&, const TracedPoint&, int step);
 void trace_interpolate(TraceLog&, const TracedPoint&, int step);
-void trace_compare(TraceLog&, const TracedPoint&);
+void trace_sum(TraceLog&, const TracedPoint&, int step);
+void trace_compare(TraceLog&, const TracedPoint&, int step);
 void trace_write(TraceLog&, const TracedPoint&, std::uint8_t mask);
 
 // --- trace_filters.cpp: after the post-process, from the frame's buffers

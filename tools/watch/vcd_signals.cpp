@@ -38,16 +38,16 @@ void StageSignals::add_ports(StageKind kind, bool first, const shadow::PostProce
         case StageKind::place: return place_ports(plan);
         case StageKind::fetch: return fetch_ports(plan.lookup);
         case StageKind::interpolate: return interpolate_ports(m);
+        case StageKind::sum:
+            return port("sum", m.z_bits + 5, [](const PointRegisters& f) { return f.lookup.sum; });
         case StageKind::compare:
-            return port("shadow", 1, [](const PointRegisters& f) { return f.lookup.shadow; });
+            return compare_ports(plan.lookup);
         case StageKind::write: break;
     }
     port("address", 2 * m.xy_bits, [n = m.xy_bits](const PointRegisters& f) {
         return (std::int64_t{f.py} << n) + f.px;
     });
-    port("mask", 8, [](const PointRegisters& f) {
-        return f.lookup.shadow ? shadow::mask_shadow : shadow::mask_lit;
-    });
+    port("mask", 8, [](const PointRegisters& f) { return f.lookup.darkness; });
 }
 
 // A point's registers move with it, so every stage of the unit has its accumulators.
@@ -106,9 +106,19 @@ void StageSignals::place_ports(const shadow::PostProcessPipeline& plan) {
 }
 
 void StageSignals::fetch_ports(const shadow::LookupPipeline& plan) {
-    for (std::size_t k = 0; k < (plan.blends ? 4u : 1u); ++k)
-        port(fmt::format("texel_{}{}", k & 1, k >> 1), plan.spec.z_bits,
+    const auto side = static_cast<std::size_t>(plan.window.side);
+    for (std::size_t k = 0; k < side * side; ++k)
+        port(fmt::format("texel_{}{}", k % side, k / side), plan.spec.z_bits,
              [k](const PointRegisters& f) { return f.lookup.texel[k]; });
+}
+
+void StageSignals::compare_ports(const shadow::LookupPipeline& plan) {
+    if (!plan.counts())
+        return port("shadow", 1, [](const PointRegisters& f) {
+            return f.lookup.darkness == shadow::mask_shadow;
+        });
+    port("count", 5, [](const PointRegisters& f) { return f.lookup.count; });
+    port("darkness", 8, [](const PointRegisters& f) { return f.lookup.darkness; });
 }
 
 void StageSignals::interpolate_ports(const hw::MachineSpec& m) {

@@ -30,6 +30,7 @@ private:
     void divider_ports(const shadow::PostProcessPipeline&);
     void place_ports(const shadow::PostProcessPipeline&);
     void fetch_ports(const shadow::LookupPipeline&);
+    void compare_ports(const shadow::LookupPipeline&);
     void interpolate_ports(const hw::MachineSpec&);
 
     VcdText& vcd_;

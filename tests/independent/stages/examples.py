@@ -4,10 +4,11 @@ import re
 from . import blocks, models, perspective
 from .figures import scene, view
 from .filters import darken, dequantize, shadow_chains
+from .noise import taps_of_pixel
 from .notation import fnv, half_up, to_bytes
 from .samples import leaf_corners
 from .settings import Settings, table
-from .shadow_test import pixel_words
+from .shadow_test import LightMap, pixel_words
 from .transform_unit import Loaded, ScreenUnit
 from .views import shadow_matrix
 from .words import object_words
@@ -79,6 +80,25 @@ def edges():
         yield f"{words(one[p:p + 3])} {words(four[p:p + 3])}"
 
 
+def windows():
+    nine = ((502, 500, 500), (501, 12, 11), (13, 14, 12))
+    s = Settings(xy_bits=4, taps=3, lookup="percentage")
+    codes = [s.background_code] * 256
+    for j, row in enumerate(nine):
+        codes[16 * (4 + j) + 6:16 * (4 + j) + 9] = row
+    middle = (-64, -320, 498 - s.depth_offset)  # of texel (7, 5)
+    share = LightMap(codes, s).darkness(middle, (0, 0))
+    yield f"{' / '.join(map(words, nine))} and a point of code 498, k = 3."
+    yield f"the mask is half_up(255 x 5 / 9) = {share}."
+    s.lookup = "filtered_depth"
+    total = sum(map(sum, nine))
+    yield (f"Their sum {total} (a mean of {total / 9:.1f}) is less than 9 x 498 = {9 * 498}: in "
+           f"shadow, {LightMap(codes, s).darkness(middle, (0, 0))}.")
+    for x, y in ((0, 0), (80, 180)):
+        four = taps_of_pixel(s.dither_seed, 2, 512 * y + x)
+        yield f"{' '.join(map(str, four))} at pixel ({x}, {y})"
+
+
 def composites():
     yield (f"direct {darken(194, 118, 255, 218)}; whole {darken(194, 194, 255, 218)}. "
            f"With density 256: {darken(194, 118, 255, 256)} and {darken(194, 194, 255, 256)}.")
@@ -121,7 +141,7 @@ def placed():
 
 def check(text):
     """How many examples there are, and those that the text lacks."""
-    found = [*hashes(text), *biases(), *round_first(), *edges(), *composites(),
+    found = [*hashes(text), *biases(), *round_first(), *edges(), *windows(), *composites(),
              *perspective_block(), *placed()]
     text = re.sub(r"\s+", " ", text)
     return len(found), [example for example in found if example not in text]

@@ -183,11 +183,12 @@ class Frame:
         n = len(self.sources[source].views)
         masks = [self.of_light("mask", first + k) for k in range(n)]
         self.made["darkness" + number] = masks[0] if n == 1 else [
-            (510 * pixel.count(255) + n) // (2 * n) for pixel in zip(*masks)]
+            (2 * sum(pixel) + n) // (2 * n) for pixel in zip(*masks)]
 
     def make_edges(self, source, number, _):
         darkness, passes = self.of_light("darkness", source), self.s.dequantize
-        if passes and len(self.sources[source].views) == 1:
+        graded = self.s.lookup == "percentage" or len(self.sources[source].views) > 1
+        if passes and not graded:
             darkness = dequantize(darkness, self.visible(), passes, self.s.size_px)
         self.made["edges" + number] = darkness
 

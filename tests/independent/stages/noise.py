@@ -39,3 +39,39 @@ def dither_words(s):
     of_sum = [dither_word(total, k, scale) for total in range(255 * k + 1)]
     words = [of_sum[sum(stream[a:a + k])] for a in range(0, len(stream), k)]
     return list(zip(words[::2], words[1::2]))
+
+
+def state_at(seed, n):
+    """bit[n] .. bit[n + 30]: x^n modulo x^31 + x^3 + 1 says which bits of the seed are added."""
+    power = 1
+    for digit in f"{n:b}":
+        square = sum((power >> i & 1) << 2 * i for i in range(31))
+        power = square << int(digit)
+        while power >> 31:
+            power = (power & (2 ** 31 - 1)) ^ (power >> 31) ^ (power >> 31 << 3)
+    known, state = noise_bits(seed, 62), 0
+    for i in range(31):
+        if power >> i & 1:
+            state ^= known >> i
+    return state & (2 ** 31 - 1)
+
+
+def tap_bytes(s):
+    """For each pixel its taps' bytes, (u, v) tap by tap, row by row; None where there are none."""
+    if s.tap_places == "grid" or s.lookup not in ("percentage", "filtered_depth"):
+        return None
+    a_pixel = 2 * s.taps ** 2
+    count = 8 * a_pixel * s.size_px ** 2
+    stream = noise_bits(state_at(s.dither_seed, 2 ** 30), count) & ((1 << count) - 1)
+    stream = stream.to_bytes(count // 8, "little")
+    return [tap_pairs(stream[a:a + a_pixel]) for a in range(0, len(stream), a_pixel)]
+
+
+def tap_pairs(own):
+    return list(zip(own[::2], own[1::2]))
+
+
+def taps_of_pixel(seed, taps, pixel):
+    own = noise_bits(state_at(seed, 2 ** 30 + 16 * taps ** 2 * pixel), 16 * taps ** 2)
+    count = 16 * taps ** 2
+    return tap_pairs((own & ((1 << count) - 1)).to_bytes(count // 8, "little"))

@@ -1,5 +1,6 @@
 """The post-process and the correct form (sections 11 and 12)."""
-from .notation import shift_down
+from .noise import tap_bytes
+from .notation import half_up, shift_down
 from .transform_unit import ScreenUnit
 
 
@@ -37,27 +38,47 @@ class LightMap:
         return code * q * q > ((q - fy) * ((q - fx) * four[0] + fx * four[1])
                                + fy * ((q - fx) * four[2] + fx * four[3]))
 
-    def in_shadow(self, point, dither):
-        """Steps 1 to 6 for the unit's results (None: a status) and a pixel's dither words."""
+    def taps(self, x, y, noise):
+        """The codes of the window's texels."""
+        s, k, q = self.s, self.s.taps, self.s.one_texel
+        if noise is None:
+            first_x, first_y = (((2 * v - (k - 1) * q) >> (s.fraction_bits + 1)) + s.half_px
+                                for v in (x, y))
+            places = [(first_x + i, first_y + j) for j in range(k) for i in range(k)]
+        else:
+            def texel(v, i, byte):
+                return (512 * v + (512 * i - 256 * k + 2 * byte + 1) * q) // (512 * q) + s.half_px
+            places = [(texel(x, t % k, u), texel(y, t // k, v)) for t, (u, v) in enumerate(noise)]
+        return [self.texel(*place) for place in places]
+
+    def darkness(self, point, dither, noise=None):
+        """Steps 1 to 8 for the unit's results (None: a status), a pixel's dither words and its
+        taps' bytes (None: a grid)."""
         s = self.s
         if point is None:
-            return False
+            return 0
         x, y, code = point[0] + dither[0], point[1] + dither[1], point[2] + s.depth_offset
         edge = s.half_px * s.one_texel
         if not (-edge <= x < edge and -edge <= y < edge and 0 <= code <= s.deepest_drawn):
-            return False
+            return 0
+        if s.lookup in ("percentage", "filtered_depth"):
+            codes = self.taps(x, y, noise)
+            if s.lookup == "percentage":
+                return half_up(255 * sum(code > z for z in codes), len(codes))
+            return 255 * (code * len(codes) > sum(codes))
         if s.lookup == "bilinear" and s.fraction_bits > 0:
-            return self.bilinear(x, y, code)
-        return self.nearest(x, y, code)
+            return 255 * self.bilinear(x, y, code)
+        return 255 * self.nearest(x, y, code)
 
 
 def post_process(observer_z, light_z, matrix, s, dither):
     unit, light_map, mask = ScreenUnit(matrix, s), LightMap(light_z, s), [0] * len(observer_z)
+    noise = tap_bytes(s)
     for p, code in enumerate(observer_z):
         if code != s.background_code:
             point = unit(*pixel_words(p % s.size_px, p // s.size_px, code, s))
-            if light_map.in_shadow(point, dither[p] if dither else (0, 0)):
-                mask[p] = 255
+            mask[p] = light_map.darkness(point, dither[p] if dither else (0, 0),
+                                         noise[p] if noise else None)
     return mask
 
 
@@ -66,6 +87,7 @@ def correct_record(lights, s, dither):
 
     A light is its map and the matrix from the observer to it."""
     units = [(ScreenUnit(matrix, s), LightMap(light_z, s)) for light_z, matrix in lights]
+    noise = tap_bytes(s)
     off = 4096 if s.registration == "index" else 0
 
     def of_block(levels):
@@ -73,10 +95,11 @@ def correct_record(lights, s, dither):
             px, py, x, y, _, *where = sample
             words = [shift_down(v - off, 13 - s.input_fraction) for v in (x, y)]
             words.append(pixel_words(px, py, code, s)[2])
-            noise = dither[py * s.size_px + px] if dither else (0, 0)
-            shadows = [light_map.in_shadow(unit(*words), noise) for unit, light_map in units]
-            shadowed = tuple(k for k, shadow in enumerate(shadows) if shadow)
-            return (*levels(*where, shadowed), *(255 if shadow else 0 for shadow in shadows))
+            p = py * s.size_px + px
+            around = (dither[p] if dither else (0, 0), noise[p] if noise else None)
+            masks = [light_map.darkness(unit(*words), *around) for unit, light_map in units]
+            shadowed = tuple(k for k, mask in enumerate(masks) if mask == 255)
+            return (*levels(*where, shadowed), *masks)
         return record
     return of_block
 

@@ -4,7 +4,7 @@ import pathlib
 from . import blocks, perspective
 from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
-from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits
+from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits, taps_of_pixel
 from .samples import leaf_corners, triangle_depth, z_code
 from .settings import Settings
 from .shading import Shading, Toward, at_leaf, corner_normals, unit14
@@ -222,6 +222,12 @@ def noise(w):
     return [dither_word(sum(data[:k]), k, scale), dither_word(sum(data[k:]), k, scale)]
 
 
+def map_codes(s):
+    return [s.background_code if (a + 2 * b) % 11 == 0
+            else (7919 * a + 104729 * b + 613 * a * b) % (1 << s.z_bits)
+            for b in range(16) for a in range(16)]
+
+
 def shadow_test(w):
     if w.pop(0) == "words":
         s = Settings(xy_bits=int(w[0]), z_bits=int(w[1]), registration=w[2])
@@ -229,11 +235,17 @@ def shadow_test(w):
     z_bits, fraction_bits = take(w, 2)
     s = Settings(xy_bits=4, z_bits=z_bits, fraction_bits=fraction_bits, lookup=w.pop(0),
                  background=w.pop(0))
-    codes = [s.background_code if (a + 2 * b) % 11 == 0
-             else (7919 * a + 104729 * b + 613 * a * b) % (1 << z_bits)
-             for b in range(16) for a in range(16)]
     x, y, z, *dither = take(w, 5)
-    return [255 if LightMap(codes, s).in_shadow((x, y, z), dither) else 0]
+    return [LightMap(map_codes(s), s).darkness((x, y, z), dither)]
+
+
+def windows(w):
+    z_bits, fraction_bits = take(w, 2)
+    s = Settings(xy_bits=4, z_bits=z_bits, fraction_bits=fraction_bits, lookup=w.pop(0),
+                 taps=int(w.pop(0)), tap_places=w.pop(0))
+    x, y, z, *dither, seed, px, py = take(w, 8)
+    noise = taps_of_pixel(seed, s.taps, 16 * py + px) if s.tap_places == "jittered" else None
+    return [LightMap(map_codes(s), s).darkness((x, y, z), dither, noise)]
 
 
 def bits(digits):
@@ -257,7 +269,8 @@ STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": vie
           "matrices": matrices, "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
           "triangles": triangles, "dicing": dicing, "noise": noise, "shadow_test": shadow_test,
-          "dequantize": dequantized, "low_pass": low_passed, "composite": composite}
+          "windows": windows, "dequantize": dequantized, "low_pass": low_passed,
+          "composite": composite}
 
 
 def check(stage):

@@ -63,12 +63,20 @@ inline SlowStages slow_stages(const TimedTest& s, bool affine) {
         add(2 + ceil(std::max(n_f, m.z_bits) + 2,
                      std::max(1, (t.clock_ns - t.register_ns) / t.add_ns)), 1);
     const bool blends = s.lookup == Lookup::bilinear && m.fraction_bits > 0;
+    const bool percentage = s.lookup == Lookup::percentage;
+    const bool filters = s.lookup == Lookup::filtered_depth;
+    const int side = percentage || filters ? s.taps : blends ? 2 : 1;
+    const bool jittered = (percentage || filters) && s.tap_places == TapPlaces::jittered;
+    const int fetch = t.light_banks == 4 && !jittered ? ceil(side, 2) * ceil(side, 2) : side * side;
     add(1, 1);                                  // place
-    add(1, blends ? 4 / t.light_banks : 1);     // fetch
+    add(1, fetch);
     if (blends) add(1, ceil(6, m.multipliers));  // interpolate
-    add(2, 1);                                  // compare, write
+    if (filters) add(1, fetch);                 // sum
+    add(1, percentage ? fetch : 1);             // compare
+    add(1, 1);                                  // write
     const int bits = 16 * SlowNoise::bytes(s.dither.shape);
     out.read_cycles = bits == 0 ? 1 : ceil(bits, t.noise_bits);
+    if (jittered) out.read_cycles = std::max(out.read_cycles, ceil(16 * side * side, t.noise_bits));
     out.slot_cycles = *std::max_element(out.stays.begin(), out.stays.end());
     return out;
 }

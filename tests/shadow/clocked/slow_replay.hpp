@@ -6,10 +6,12 @@
 #include "shadow/clocked/memory_replay.hpp"
 #include "shadow/frame/settings.hpp"
 #include "tests/hw/memory/slow_dram.hpp"
+#include "tests/shadow/slow_lookup.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace umbra78::shadow::test {
 struct SlowToken {
     int x, y;
     bool visible;
-    std::vector<std::pair<int, int>> texels;  // that it reads, in order
+    std::vector<SlowRead> reads;  // of texels, in order
 };
 
 // Pixels of a word of all chips: P in section 17.
@@ -89,24 +91,24 @@ private:
         std::uint64_t clocks = 1, done = now;
         if (stage == 0 && t.x % px == 0) done = memory(observer, t, now);
         if (stage == 1 && t.visible) clocks = issue_;
-        if (stage == 2) done = look_up(t.texels, now);
+        if (stage == 2) done = look_up(t.reads, now);
         if (stage == 3 && (t.x + 1) % px == 0) done = memory(mask, t, now);
         // run() looks at clock edges only: that is the rounding up.
         const auto clock = static_cast<std::uint64_t>(s_.timing.clock_ns);
         registers_[stage] = {true, index, std::max(done, now + clocks * clock)};
     }
 
-    std::uint64_t look_up(const std::vector<std::pair<int, int>>& texels, std::uint64_t now) {
-        std::vector<hw::DramPlace> places;
-        for (const auto& [x, y] : texels)
-            places.push_back(
+    std::uint64_t look_up(const std::vector<SlowRead>& reads, std::uint64_t now) {
+        std::uint64_t address = now;  // the register of addresses takes a clock for each request
+        std::vector<hw::DramPlace> request;
+        for (std::size_t k = 0; k < reads.size(); ++k) {
+            const auto& [x, y] = reads[k].texel;
+            request.push_back(
                 slow_place(s_.timing, s_.machine.xy_bits, s_.timing.light_banks, x, y));
-        if (places.empty()) return now;
-        if (places.size() > 1 && s_.timing.light_banks == 4) return light.access(places, now);
-        std::uint64_t address = now;  // the register of addresses takes a clock for each
-        for (const hw::DramPlace& p : places) {
-            now = light.access({&p, 1}, std::max(now, address));
+            if (k + 1 < reads.size() && reads[k + 1].request == reads[k].request) continue;
+            now = light.access(request, std::max(now, address));
             address += static_cast<std::uint64_t>(s_.timing.clock_ns);
+            request.clear();
         }
         return now;
     }
@@ -127,9 +129,10 @@ inline PathTime slow_ideal_path(const Settings& s, std::uint64_t issue_cycles,
     // Of the token before and of this one: stages 1..4, and 0 and 5 beside them.
     std::array<Entry, 6> before{}, leave{};
     for (const SlowToken& t : tokens) {
-        const std::uint64_t reads =
-            t.texels.empty() || s.timing.light_banks == 4 ? 1 : t.texels.size();
-        const Entry service{1, t.visible ? issue_cycles : 1, reads, 1};
+        std::set<int> requests;
+        for (const SlowRead& read : t.reads) requests.insert(read.request);
+        const Entry service{1, t.visible ? issue_cycles : 1,
+                            std::max<std::uint64_t>(1, requests.size()), 1};
         leave[0] = before[1];
         for (std::size_t k = 1; k <= 4; ++k) {
             Entry own = leave[k - 1];

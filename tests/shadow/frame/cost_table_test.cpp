@@ -125,7 +125,8 @@ TEST(CostTable, Drawing) {
 TEST(CostTable, AWrongNumberIsNotFound) {
     Operations wrong = cost::composite_pixel;
     ++wrong.adds;
-    EXPECT_EQ(machine_text().find(row("composite, pixel, source and channel", wrong)), std::string::npos);
+    EXPECT_EQ(machine_text().find(row("composite, pixel, source and channel", wrong)),
+              std::string::npos);
 }
 
 }  // namespace

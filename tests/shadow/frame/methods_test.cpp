@@ -23,6 +23,7 @@ PlannedScene scene_of(const Method& method) {
     PlannedScene planned = test::planned_scene("figure 6");
     planned.settings.form = method.form;
     planned.settings.arithmetic = method.arithmetic;
+    planned.settings.lookup = method.lookups.back();
     return planned;
 }
 
@@ -40,7 +41,10 @@ TEST(Methods, TheSettingsChooseARow) {
         Settings s;
         s.form = m.form;
         s.arithmetic = m.arithmetic;
-        EXPECT_EQ(method_of(s), &m) << m.name;
+        for (const Lookup lookup : m.lookups) {
+            s.lookup = lookup;
+            EXPECT_EQ(method_of(s), &m) << m.name;
+        }
         s.machine.z_bits = m.max_z_bits;
         EXPECT_TRUE(method_can(s)) << m.name;
         EXPECT_TRUE(can_be_built(s)) << m.name;
@@ -48,12 +52,29 @@ TEST(Methods, TheSettingsChooseARow) {
         EXPECT_FALSE(method_can(s)) << m.name;
         EXPECT_FALSE(can_be_built(s)) << m.name;
     }
-    EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "correct", "ap120b"}));
+    EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",
+                                                  "ap120b"}));
     Settings none;
     none.form = Form::correct;
     none.arithmetic = Arithmetic::ap120b;
     EXPECT_EQ(method_of(none), nullptr);
     EXPECT_FALSE(method_can(none));
+    for (const Lookup lookup : {Lookup::percentage, Lookup::filtered_depth}) {
+        none.form = Form::post_process;
+        none.lookup = lookup;
+        EXPECT_EQ(method_of(none), nullptr) << "the AP-120B has no window";
+    }
+    none = {};
+    none.form = Form::correct;
+    none.lookup = Lookup::percentage;
+    EXPECT_EQ(method_of(none), nullptr) << "no sample is shaded by a share of a light";
+    for (const int taps : {1, 6}) {
+        Settings s;
+        s.taps = taps;
+        EXPECT_TRUE(method_can(s)) << "nearest lookup has no window";
+        s.lookup = Lookup::filtered_depth;
+        EXPECT_FALSE(method_can(s)) << taps;
+    }
 }
 
 TEST(Methods, ARowIsConsistent) {
@@ -83,13 +104,17 @@ TEST(Methods, PlanAndStagesAskTheRow) {
         EXPECT_EQ(plan.at(Omission::background_pixels).reason,
                   m.tests_when_drawn() ? Reason::tested_when_drawn : Reason::nothing_there);
         f.draw(plan);
-        std::uint64_t dark = 0;
+        std::uint64_t dark = 0, between = 0;
         for (const std::uint8_t darkness : f.frame.buffers.lights[0].mask) {
-            dark += darkness == mask_shadow;
+            dark += darkness != mask_lit;
+            between += darkness != mask_lit && darkness != mask_shadow;
             EXPECT_TRUE(m.darkness == Darkness::graded || darkness == mask_lit ||
                         darkness == mask_shadow);
         }
         EXPECT_GT(dark, 500u);
+        EXPECT_EQ(between > 0, m.darkness == Darkness::graded);
+        EXPECT_EQ(plan.at(Omission::dequantize).reason,
+                  m.darkness == Darkness::graded ? Reason::graded : Reason::asked_for);
         EXPECT_EQ(dark, f.frame.counts.lights[0].post_process.shadowed);
         EXPECT_TRUE(f.frame.counts.lights[0].capacity.enough);
     }

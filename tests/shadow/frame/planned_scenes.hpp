@@ -124,6 +124,17 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.settings.machine.fraction_bits = 0;
         p.settings.machine.max_accumulator_bits = 24;
     }
+    {
+        PlannedScene& p = add("percentage, jittered", 6);
+        p.settings.lookup = Lookup::percentage;
+        p.settings.tap_places = TapPlaces::jittered;
+    }
+    {
+        PlannedScene& p = add("filtered depth, correct", 6);
+        p.settings.lookup = Lookup::filtered_depth;
+        p.settings.taps = 4;
+        p.settings.form = Form::correct;
+    }
     // Light and observer see the same.
     for (const bool eye : {false, true}) {
         PlannedScene& p = add(eye ? "same eye" : "same view", 6);

@@ -116,6 +116,26 @@ TEST(Reuse, EachSettingInTurnOfTheCorrectForm) {
     change_each_setting(test::planned_scene("correct"), correct_form);
 }
 
+// Figure 6's by percentage closer filtering: taps are read, background is not.
+TEST(Reuse, EachSettingInTurnOfPercentage) {
+    PlannedScene planned = test::planned_scene("percentage, jittered");
+    Expected expected = post_process_form;
+    expected["taps"] = expected["tap_places"] = "LDO";
+    expected["background"] = "LDOMP";
+    expected.erase("form");        // cannot be built
+    expected.erase("arithmetic");  // likewise
+    change_each_setting(planned, expected);
+    planned.settings.dither.shape = hw::DitherShape::none;
+    PlannedScene changed = planned;
+    changed.settings.dither.seed = 99;
+    EXPECT_EQ(draw_over(planned, changed), "LDO") << "the taps' own noise";
+    planned.settings.tap_places = changed.settings.tap_places = TapPlaces::grid;
+    EXPECT_EQ(draw_over(planned, changed), "LDOMP");
+    planned.settings.lookup = changed.settings.lookup = Lookup::nearest;
+    changed.settings.taps = 5;
+    EXPECT_EQ(draw_over(planned, changed), "LDOMP") << "nearest lookup has no window";
+}
+
 TEST(Reuse, WhatIsNotReadMayChange) {
     PlannedScene base = test::planned_scene("figure 3"), changed = base;
     changed.settings.background = Background::fall_back;  // nearest lookup does not ask

@@ -34,7 +34,7 @@ static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>
 static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
               !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
 auto members(const Settings& s) {
-    const auto& [machine, registration, lookup, background, dither] =
+    const auto& [machine, registration, lookup, background, taps, tap_places, dither] =
         static_cast<const ShadowTest&>(s);
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                  max_accumulator_bits, product_rounding, transform_rounding, coefficient_rounding,
@@ -47,9 +47,9 @@ auto members(const Settings& s) {
                            max_accumulator_bits, product_rounding, transform_rounding,
                            coefficient_rounding, depth_rounding, divide_order, s.surface,
                            s.dice_levels, s.facing, s.sampling,
-                           registration, lookup, background, s.bias_q16, s.bias_unit, shape,
-                           size_q8, seed, s.dequantize_passes, s.low_pass_passes, s.ambient_q8,
-                           s.composite, s.density_q8, s.form,
+                           registration, lookup, background, taps, tap_places, s.bias_q16,
+                           s.bias_unit, shape, size_q8, seed, s.dequantize_passes,
+                           s.low_pass_passes, s.ambient_q8, s.composite, s.density_q8, s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
                            light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
                            s.arithmetic, s.array_memory);
@@ -143,6 +143,7 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"facing", 0},
         {"registration", 0},    {"lookup", 0},
         {"background", 0},      {"bias", 64 << 16},
+        {"taps", 3},            {"tap_places", 0},
         {"bias_unit", 0},       {"dither", 0},
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
@@ -194,6 +195,10 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("registration", "index", Registration::index));
     all.push_back(named("lookup", "nearest", Lookup::nearest));
     all.push_back(named("lookup", "bilinear", Lookup::bilinear));
+    all.push_back(named("lookup", "percentage", Lookup::percentage));
+    all.push_back(named("lookup", "filtered_depth", Lookup::filtered_depth));
+    all.push_back(named("tap_places", "grid", TapPlaces::grid));
+    all.push_back(named("tap_places", "jittered", TapPlaces::jittered));
     all.push_back(named("background", "blend", Background::blend));
     all.push_back(named("background", "fall_back", Background::fall_back));
     all.push_back(named("bias_unit", "quanta", BiasUnit::quanta));
@@ -297,7 +302,9 @@ TEST(SettingsTable, RangesAreThese) {
         {"facing", {0, 1}},
         {"sampling", {0, 1}},
         {"registration", {0, 1}},
-        {"lookup", {0, 1}},
+        {"lookup", {0, 3}},
+        {"taps", {2, 5}},
+        {"tap_places", {0, 1}},
         {"background", {0, 1}},
         {"bias", {-(one << 40), one << 40}},
         {"bias_unit", {0, 2}},
@@ -352,19 +359,23 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
     Settings low, high;
     for (const Setting& row : settings_table()) {
         for (const std::int64_t v : {row.min, row.max}) {
-            Settings s = figure_settings(6);
-            row.set(s, v);
-            draw(s, row.key);
+            for (const Lookup lookup : {Lookup::bilinear, Lookup::percentage}) {
+                Settings s = figure_settings(6);
+                s.lookup = lookup;
+                row.set(s, v);
+                draw(s, row.key);
+            }
         }
         row.set(low, row.min);
         row.set(high, row.max);
     }
     high.form = Form::post_process;
+    high.lookup = Lookup::bilinear;
     low.bias_q16 = high.bias_q16 = 0;
     high.machine.z_bits = 16;
     draw(low, "all");
     draw(high, "all");
-    EXPECT_GT(drawn, 70);
+    EXPECT_GT(drawn, 150);
 }
 
 // What the machine's checks refuse within the table's ranges.

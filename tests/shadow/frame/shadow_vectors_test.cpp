@@ -119,6 +119,54 @@ TEST(Vectors, ShadowTest) {
                   lines);
 }
 
+TEST(Vectors, Windows) {
+    Inputs in(14);
+    Lines lines;
+    for (int k = 0; k < 96; ++k) {
+        shadow::ShadowTest t;
+        t.machine.xy_bits = 4;
+        t.machine.z_bits = static_cast<int>(in.between(4, 24));
+        t.machine.fraction_bits = static_cast<int>(k % 8 == 0 ? 0 : in.between(1, 12));
+        t.lookup = k % 3 == 2 ? shadow::Lookup::filtered_depth : shadow::Lookup::percentage;
+        t.taps = 2 + k % 4;
+        t.tap_places = k / 4 % 2 == 0 ? shadow::TapPlaces::grid : shadow::TapPlaces::jittered;
+        std::vector<hw::Depth32> map(256);
+        for (int b = 0; b < 16; ++b)
+            for (int a = 0; a < 16; ++a)
+                map[static_cast<std::size_t>(16 * b + a)] = map_code(a, b, t.machine);
+        const hw::FrameStore<const hw::Depth32> store{4, map, {}};
+        const std::int64_t edge = std::int64_t{8} << t.machine.fraction_bits;
+        // Now and then beside the map's edge, or a step from a texel's edge or middle.
+        const auto place = [&] {
+            const std::int64_t half = edge / 16;
+            if (k % 6 == 0) return (in.between(0, 1) == 0 ? -edge : edge) + in.between(-2, 1);
+            return k % 6 == 1 ? in.between(-15, 15) * half + in.between(-1, 1)
+                              : in.between(-edge, edge - 1);
+        };
+        const std::int64_t x = place(), y = place();
+        const std::int64_t z = in.between(0, t.machine.deepest_drawn()) - t.machine.depth_offset();
+        const hw::DitherWords d{static_cast<std::int32_t>(in.between(-1, 1)),
+                                static_cast<std::int32_t>(in.between(-1, 1))};
+        const auto seed = static_cast<std::uint32_t>(in.between(1, 0x7fffffff));
+        const int px = static_cast<int>(in.between(0, 15));
+        const int py = static_cast<int>(in.between(0, 15));
+        const auto noise = hw::TapNoise(seed, t.taps * t.taps, t.machine, px, py).next();
+        const int dark = shadow::darkness(shadow::light_map<hw::Depth32>(store, t),
+                                          hw::Point{x, y, z, hw::DivideStatus::ok}, d, noise);
+        lines.push_back(
+            (Line() << t.machine.z_bits << t.machine.fraction_bits
+                    << (t.lookup == shadow::Lookup::percentage ? "percentage" : "filtered_depth")
+                    << t.taps
+                    << (t.tap_places == shadow::TapPlaces::grid ? "grid" : "jittered") << x << y
+                    << z << d.x << d.y << seed << px << py << "->" << dark).text());
+    }
+    check_vectors("windows",
+                  {"Sections 10 and 11, steps 7 and 8.",
+                   "z_bits fraction_bits lookup taps tap_places X Y Z dither_x dither_y",
+                   "dither_seed px py -> mask, with xy_bits 4 and shadow_test.txt's light map"},
+                  lines);
+}
+
 // --- filters: frames of 16 x 16 pixels ------------------------------------------------------
 
 // Bits of 256 pixels as 64 digits, bytes as 512: row by row, the first pixel first.

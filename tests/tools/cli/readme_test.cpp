@@ -87,7 +87,10 @@ TEST_F(Documents, TableOfTheFigures) {
     for (const json& figure : figures) {
         std::string row = fmt::format("| `{}` | {:.2f} |", figure["hash"].get<std::string>(),
                                       figure["simulated_ms"].get<double>() / 1000);
-        if (const json& error = figure["error"]; error.is_null())
+        // Of a filtered mask the rates are those at half darkness.
+        const json& any = figure["error"];
+        if (const json& error = any.contains("at_threshold") ? any["at_threshold"] : any;
+            error.is_null())
             row += " | |";
         else
             row += fmt::format(" {:.2f} % | {:.2f} % |", 100 * error["false_shadow"].get<double>(),

@@ -68,7 +68,8 @@ TEST(ViewErrors, Settings) {
         {ball_and_light + "[settings]\nlookup = \"nearst\"\n",
          "a.toml:7: 'lookup' in [settings] is the text 'nearst'; did you mean 'nearest'?"},
         {ball_and_light + "[settings]\nlookup = 1\n",
-         "a.toml:7: 'lookup' in [settings] is the number 1; known here: nearest, bilinear"},
+         "a.toml:7: 'lookup' in [settings] is the number 1; known here: nearest, bilinear, "
+         "percentage, filtered_depth"},
         {ball_and_light + "[settings]\nambient = 1.5\n",
          "a.toml:7: 'ambient' in [settings] is 1.5; its range is 0 .. 1"},
         {ball_and_light + "[settings]\ndither_seed = 0\n",
@@ -119,8 +120,19 @@ TEST(ViewErrors, SetOverrides) {
          {"xy_bits=3"}},
         {ball_and_light,
          "--set lookup=cubic: 'lookup' in [settings] is the text 'cubic'; known here: "
-         "nearest, bilinear",
+         "nearest, bilinear, percentage, filtered_depth",
          {"lookup=cubic"}},
+        {ball_and_light + "[settings]\nform = \"correct\"\nlookup = \"percentage\"\n",
+         "a.toml:8: 'lookup' in [settings] is percentage, which the machine cannot be "
+         "built with (form = correct with arithmetic = fixed has lookup = nearest, bilinear, "
+         "filtered_depth)"},
+        {ball_and_light + "[settings]\nlookup = \"filtered_depth\"\n",
+         "--set arithmetic=ap120b: 'arithmetic' in [settings] is ap120b, which the "
+         "machine cannot be built with (form = post_process with arithmetic = ap120b has lookup = "
+         "nearest, bilinear)",
+         {"arithmetic=ap120b"}},
+        {ball_and_light + "[settings]\ntaps = 6\n",
+         "a.toml:7: 'taps' in [settings] is 6; its range is 2 .. 5"},
         {ball_and_light,
          "--set lamp.azimuth=3: unknown key 'lamp.azimuth'; set a setting, observer.KEY or "
          "light.KEY",

@@ -50,6 +50,17 @@ TEST(BiasBound, IsItsFormula) {
     EXPECT_EQ(bias_bound(INFINITY, s), 1) << "no term, whatever the slope";
     s.lookup = Lookup::nearest;
     EXPECT_TRUE(std::isinf(bias_bound(INFINITY, s)));
+    for (s.taps = 2; s.taps <= 5; ++s.taps) {
+        s.lookup = Lookup::percentage;
+        s.tap_places = shadow::TapPlaces::grid;
+        EXPECT_EQ(bias_bound(slope, s), 50 * s.taps + 1);
+        s.tap_places = shadow::TapPlaces::jittered;
+        EXPECT_EQ(bias_bound(slope, s), 50 * (s.taps + 1) + 1);
+        s.lookup = Lookup::filtered_depth;
+        EXPECT_EQ(bias_bound(slope, s), 101);
+        s.tap_places = shadow::TapPlaces::grid;
+        EXPECT_EQ(bias_bound(slope, s), 51);
+    }
 }
 
 TEST(BiasBound, ForAShareLeavesOutTheSteepest) {

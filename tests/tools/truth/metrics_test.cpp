@@ -57,6 +57,49 @@ TEST(ShadowError, AShiftedMaskGivesItsShift) {
     }
 }
 
+// By hand: four lit pixels at 0, 5, 6 and 255, four in shadow at 255, 250, 249 and 128.
+TEST(GradedError, IsInTheLightThatIsSeen) {
+    const Truth truth = half_lit(4, 2);
+    Bytes mask(16, 0), drawn(16, 0);
+    int lit = 0, umbra = 0;
+    const int of_lit[] = {0, 5, 6, 255}, of_umbra[] = {255, 250, 249, 128};
+    for (std::size_t at = 0; at < 16; ++at) {
+        int& n = truth.lit[at] ? lit : umbra;
+        if (n == 4) continue;
+        mask[at] = static_cast<std::uint8_t>((truth.lit[at] ? of_lit : of_umbra)[n++]);
+        drawn[at] = 1;
+    }
+    ASSERT_EQ(lit + umbra, 8);
+    const GradedError error = graded_error(truth, {mask, drawn});
+    EXPECT_EQ(error.lit, 4);
+    EXPECT_EQ(error.umbra, 4);
+    EXPECT_EQ(error.absolute, 5u + 6 + 255 + 5 + 6 + 127);
+    EXPECT_EQ(error.squares, 25u + 36 + 65025 + 25 + 36 + 16129);
+    EXPECT_EQ(error.lit_below_98, 2) << "5 / 255 is 1.96 %, 6 / 255 is 2.35 %";
+    EXPECT_EQ(error.umbra_above_2, 2);
+    EXPECT_EQ(error.between, 5);
+    EXPECT_TRUE(error.graded());
+    EXPECT_DOUBLE_EQ(error.mean_absolute(), 404 / 255.0 / 8);
+    EXPECT_DOUBLE_EQ(error.rms(), std::sqrt(81276 / 8.0) / 255);
+    EXPECT_DOUBLE_EQ(error.lit_below_98_rate(), 0.5);
+    EXPECT_DOUBLE_EQ(error.umbra_above_2_rate(), 0.5);
+}
+
+// Of a binary mask the mean error is the share of wrong pixels, and the other two are its rates.
+TEST(GradedError, OfABinaryMaskIsItsRates) {
+    const Truth truth = half_lit(40, 20);
+    const Bytes sooner = shadow_from(40, 18);
+    const GradedError graded = graded_error(truth, {sooner, {}});
+    const ShadowError binary = shadow_error(truth, {sooner, {}});
+    EXPECT_FALSE(graded.graded());
+    EXPECT_DOUBLE_EQ(graded.mean_absolute(), 2.0 / 40);
+    EXPECT_DOUBLE_EQ(graded.rms(), std::sqrt(2.0 / 40));
+    EXPECT_DOUBLE_EQ(graded.lit_below_98_rate(), binary.false_shadow_rate());
+    EXPECT_DOUBLE_EQ(graded.umbra_above_2_rate(), binary.false_light_rate());
+    EXPECT_EQ(graded_error({}, {}).mean_absolute(), 0);
+    EXPECT_EQ(graded_error({}, {}).rms(), 0);
+}
+
 TEST(ShadowError, CountsOnlyWhatBothSee) {
     const Truth truth = half_lit(8, 4);
     Bytes drawn(64, 0);

@@ -262,8 +262,9 @@ TEST(PixelTrace, AnyPixelOfAnyMachine) {
 // A scene in perspective, with either lookup, to the picture.
 TEST(PixelTrace, LampInPerspective) {
     Random random;
-    for (const char* lookup : {"lookup=nearest", "lookup=bilinear"}) {
-        const std::string set[] = {lookup, "xy_bits=6", "low_pass=2"};
+    for (const char* lookup : {"lookup=nearest", "lookup=bilinear", "lookup=percentage",
+                               "lookup=filtered_depth"}) {
+        const std::string set[] = {lookup, "xy_bits=6", "low_pass=2", "dequantize=1"};
         const LoadedScene scene =
             load_scene(UMBRA78_SOURCE_DIR "/tools/scenes/lamp.toml", set);
         RenderJob job(scene.view(), scene.settings);
@@ -281,7 +282,11 @@ TEST(PixelTrace, LampInPerspective) {
             if (t.outcome == PixelOutcome::background) continue;
             expect_functional(t, frame, job.bytes(Plane::mask)[a]);
             expect_certificates(t);
-            EXPECT_EQ(word_of(t, "dequantize", "edges"), job.bytes(Plane::edges)[a]);
+            if (scene.settings.lookup == shadow::Lookup::percentage) {
+                EXPECT_EQ(job.bytes(Plane::edges)[a], t.mask) << "nothing is dequantized";
+            } else {
+                EXPECT_EQ(word_of(t, "dequantize", "edges"), job.bytes(Plane::edges)[a]);
+            }
             EXPECT_EQ(word_of(t, "low-pass", "filtered"), job.bytes(Plane::filtered)[a]);
             shadowed += t.mask != 0;
             if (HasFailure()) return;

@@ -154,8 +154,16 @@ void expect_words(const Dump& dump, const std::string& scope, std::uint64_t ns,
         case shadow::StageKind::interpolate:
             expect_code("blend", static_cast<std::uint64_t>(f.lookup.blend));
             break;
-        case shadow::StageKind::compare: expect_code("shadow", f.lookup.shadow); break;
-        case shadow::StageKind::write: expect_code("mask", f.lookup.shadow ? 255 : 0); break;
+        case shadow::StageKind::sum:
+            expect_code("sum", static_cast<std::uint64_t>(f.lookup.sum));
+            break;
+        case shadow::StageKind::compare:
+            if (plan.lookup.counts())
+                expect_code("count", static_cast<std::uint64_t>(f.lookup.count));
+            else
+                expect_code("shadow", f.lookup.darkness == 255);
+            break;
+        case shadow::StageKind::write: expect_code("mask", f.lookup.darkness); break;
     }
 }
 

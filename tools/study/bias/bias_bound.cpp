@@ -7,9 +7,25 @@
 
 namespace umbra78::tools::study {
 
+namespace {
+
+// Twice how far a texel that is compared with a point may lie from it, without dither.
+int reach(const shadow::Settings& s) {
+    const int jittered = s.tap_places == shadow::TapPlaces::jittered ? 1 : 0;
+    switch (s.lookup) {
+        case shadow::Lookup::nearest: return 1;
+        case shadow::Lookup::bilinear: return 0;
+        case shadow::Lookup::percentage: return s.taps + jittered;
+        case shadow::Lookup::filtered_depth: return 1 + jittered;
+    }
+    return 0;
+}
+
+}  // namespace
+
 double bias_bound(double slope, const shadow::Settings& s) {
     const double jitter = hw::silent(s.dither, s.machine) ? 0 : s.dither.size_q8 / 256.0;
-    const double texels = jitter + (s.lookup == shadow::Lookup::nearest ? 1 : 0);
+    const double texels = jitter + reach(s);
     const double quanta_a_texel = std::ldexp(slope, s.machine.z_bits);
     return (texels > 0 ? texels * quanta_a_texel / 2 : 0) + 1;
 }

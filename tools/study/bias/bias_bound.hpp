@@ -10,6 +10,9 @@
 //   nearest    bias >= T (1 + d)(|zu| + |zv|)/2 + q
 //   bilinear   bias >= T d (|zu| + |zv|)/2 + q        a plane is interpolated exactly
 //
+// Percentage lookup has k where nearest lookup has 1: a tap's texel is up to T k/2 away, jittered
+// up to T (k + 1)/2. A window's mean depth is that of its middle, up to T/2 away, jittered up to T.
+//
 // The bound leaves out curvature, the fraction bits of X and Y, the rounding of the matrix, and
 // leaf sampling.
 #pragma once
