@@ -21,6 +21,7 @@ namespace umbra78::shadow {
 template <class Depth>
 struct LightBuffers {
     hw::FrameStore<Depth> map;         // the light's depth map; it has no intensity
+    hw::FrameStore<Depth> second;      // the second Z while it is drawn; empty if carved for one
     std::span<std::uint8_t> mask;      // the darkness, as the method wrote it
     std::span<std::uint8_t> edges;     // after dequantizing; = mask where that is off
     std::span<std::uint8_t> filtered;  // after the low-pass; = edges where that is off
@@ -48,13 +49,14 @@ struct FrameBuffers {
 inline constexpr std::size_t frame_alignment = 64;
 
 template <class Depth>
-std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches, std::size_t lights = 1);
+std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches, std::size_t lights = 1,
+                        int map_layers = 1);
 
-// `memory` has at least frame_bytes() bytes and is aligned to frame_alignment. Traps otherwise,
+// map_layers is shadow::map_layers(settings), 1 or 2. `memory` has at least frame_bytes() bytes and is aligned to frame_alignment. Traps otherwise,
 // and for widths out of range.
 template <class Depth>
 FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
-                          std::size_t patches, std::size_t lights = 1);
+                          std::size_t patches, std::size_t lights = 1, int map_layers = 1);
 
 // Whether a method had room for what it keeps, and how many things it needed room for.
 struct Capacity {

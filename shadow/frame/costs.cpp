@@ -22,13 +22,15 @@ StageCycles points(std::uint64_t count, const Settings& s, bool affine, bool div
     return c;
 }
 
-// Control points through the unit, and the operations of all that follows.
+// Control points through the unit, the operations of all that follows, and `more`.
 StageCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix,
-                 const raster::DrawCounts& counts, bool shades, const FramePlan& plan) {
+                 const raster::DrawCounts& counts, bool shades, const FramePlan& plan,
+                 const hw::Operations& more) {
     const Settings& s = drawn.inputs.settings;
     StageCycles c = points(control_points * counts.subdivided() + vertices * counts.facets, s,
                            matrix.affine, matrix.affine && plan.unit_work().divide, plan);
     hw::Operations o = drawing_operations(drawn.inputs, matrix, counts, shades);
+    o += more;
     const raster::DrawCounts points_alone{.patches = counts.subdivided(), .facets = counts.facets};
     o.passes -= drawing_operations(drawn.inputs, matrix, points_alone, false).passes;
     c.operations = method_of(drawn.inputs).units(o, s);
@@ -93,10 +95,11 @@ FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn) {
             ? copied
             : view(drawn, in.matrices.lights[0].world_to_light,
                    inside ? l.light_inside : l.light_counts,
-                   !plan.leaves_out(Omission::light_shading), plan));
+                   !plan.leaves_out(Omission::light_shading), plan,
+                   map_operations(in, inside ? l.light_inside : l.light_counts)));
     add(FrameStage::observer, plan.leaves_out(Omission::same_observer),
         view(drawn, in.matrices.world_to_observer, inside ? l.observer_inside : l.observer_counts,
-             true, plan));
+             true, plan, {}));
     add(FrameStage::post_process,
         plan.leaves_out(Omission::same_mask) || plan.leaves_out(Omission::post_process),
         method.plan_cost(drawn, plan, 0));

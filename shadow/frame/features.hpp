@@ -30,7 +30,8 @@ constexpr std::string_view missing_feature(const Scene& scene, const Settings& s
                {correct_form, s.form == Form::correct},
                {ap120b, s.arithmetic == Arithmetic::ap120b},
                {filters, s.dequantize_passes > 0 || s.low_pass_passes > 0},
-               {z32, s.machine.z_bits > 16}};
+               {z32, s.machine.z_bits > 16},
+               {surface_bias, s.map_depth != MapDepth::first || s.bias_slope_q8 > 0}};
     for (const auto& [feature, asked_for] : all)
         if (asked_for && !hw::built(feature)) return hw::name_of(feature);
     return "";

@@ -46,6 +46,13 @@ bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
            same_places(a.scene.mesh, b.scene.mesh);
 }
 
+// What the light's map keeps of its drawing.
+bool same_map(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
+    const raster::Casters c = casters_of(a, l), d = casters_of(b, l);
+    return a.settings.map_depth == b.settings.map_depth && c.slope_q8 == d.slope_q8 &&
+           (c.slope_q8 == 0 || c.limit == d.limit);
+}
+
 bool same_surfaces(const FrameInputs& a, const FrameInputs& b) {
     const auto equal = [](const auto& p, const auto& q, auto&& alike) {
         return std::equal(p.begin(), p.end(), q.begin(), q.end(), alike);
@@ -114,8 +121,9 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
                  when_drawn == method_of(before).tests_when_drawn();
     bool masks = true;
     for (std::size_t l = 0; l < now.scene.light_count; ++l) {
-        r.light_map[l] = drawing && before.matrices.lights[l].world_to_light ==
-                                      now.matrices.lights[l].world_to_light;
+        r.light_map[l] = drawing && same_map(before, now, l) &&
+                         before.matrices.lights[l].world_to_light ==
+                             now.matrices.lights[l].world_to_light;
         r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
         masks = masks && r.mask[l];
     }

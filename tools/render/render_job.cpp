@@ -35,9 +35,10 @@ template <class Depth>
 void RenderJob::allocate() {
     const hw::MachineSpec& machine = settings().machine;
     patches_ = inputs_.scene.patches.size();
-    bytes_ = shadow::frame_bytes<Depth>(machine, patches_);
+    layers_ = shadow::map_layers(settings());
+    bytes_ = shadow::frame_bytes<Depth>(machine, patches_, 1, layers_);
     memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
-    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_);
+    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, 1, layers_);
 }
 
 void RenderJob::use(const shadow::Settings& settings) {
@@ -56,6 +57,9 @@ void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings&
         throw SceneError(fmt::format("this frame was made for xy_bits {} and z_bits {}: for {} and "
                                      "{} make another",
                                      now.xy_bits, now.z_bits, next.xy_bits, next.z_bits));
+    if (shadow::map_layers(settings) > layers_)
+        throw SceneError("this frame was made for one depth a texel of the light's map: for "
+                         "map_depth=midpoint make another");
     if (scene.patches.size() > patches_)
         throw SceneError(fmt::format("this frame was made for {} patches: for {} make another",
                                      patches_, scene.patches.size()));

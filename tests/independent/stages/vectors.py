@@ -2,6 +2,7 @@
 import pathlib
 
 from . import blocks, perspective
+from .bias import Layers, moved_code, offset, slope
 from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits
@@ -244,10 +245,27 @@ def composite(w):
     return [darken(*(int(x) for x in w))]
 
 
+def bias(w):
+    kind = w.pop(0)
+    if kind == "offset":
+        factor, limit = int(w.pop(0)), w.pop(0)
+        of = slope(*triples(take(w, 9)))
+        return [of, offset([of], factor, None if limit == "none" else int(limit))]
+    if kind == "moved":
+        z_bits, depth, more = take(w, 3)
+        code = moved_code(depth, more, Settings(z_bits=z_bits))
+        return ["none" if code is None else code]
+    z_bits, *codes = take(w, len(w))
+    layers = Layers(Settings(xy_bits=4, z_bits=z_bits))
+    for code in codes:
+        layers.add(0, code)
+    return layers.midpoints()[:1]
+
+
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
           "matrices": matrices, "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
-          "triangles": triangles, "dicing": dicing, "noise": noise, "shadow_test": shadow_test,
+          "triangles": triangles, "dicing": dicing, "bias": bias, "noise": noise, "shadow_test": shadow_test,
           "dequantize": dequantized, "low_pass": low_passed, "composite": composite}
 
 

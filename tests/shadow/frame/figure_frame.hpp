@@ -44,11 +44,11 @@ struct FigureScene {
 
 template <class Depth = hw::Depth16>
 struct Frame {
-    Frame(const hw::MachineSpec& spec, std::size_t patches)
-        : memory(frame_bytes<Depth>(spec, patches)),
-          buffers(carve<Depth>(memory.span(), spec, patches)) {}
+    Frame(const hw::MachineSpec& spec, std::size_t patches, int layers = 1)
+        : memory(frame_bytes<Depth>(spec, patches, 1, layers)),
+          buffers(carve<Depth>(memory.span(), spec, patches, 1, layers)) {}
     Frame(const Scene& scene, const Settings& settings)
-        : Frame(settings.machine, scene.patches.size()) {
+        : Frame(settings.machine, scene.patches.size(), map_layers(settings)) {
         draw(scene, settings);
     }
     FrameStatus draw(const Scene& scene, const Settings& settings) {

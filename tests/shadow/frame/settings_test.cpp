@@ -31,8 +31,8 @@ using A = Anything;
 // Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
 // is a compile error here until it is named, and then a failure below until the table names it too.
 static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
-static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
-              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
+static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
+              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
 auto members(const Settings& s) {
     const auto& [machine, registration, lookup, background, dither] =
         static_cast<const ShadowTest&>(s);
@@ -47,7 +47,8 @@ auto members(const Settings& s) {
                            max_accumulator_bits, product_rounding, transform_rounding,
                            coefficient_rounding, depth_rounding, divide_order, s.surface,
                            s.dice_levels, s.facing, s.sampling,
-                           registration, lookup, background, s.bias_q16, s.bias_unit, shape,
+                           registration, lookup, background, s.bias_q16, s.bias_unit,
+                           s.map_depth, s.bias_slope_q8, s.bias_clamp_q16, shape,
                            size_q8, seed, s.dequantize_passes, s.low_pass_passes, s.ambient_q8,
                            s.composite, s.density_q8, s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
@@ -144,6 +145,8 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"registration", 0},    {"lookup", 0},
         {"background", 0},      {"bias", 64 << 16},
         {"bias_unit", 0},       {"dither", 0},
+        {"map_depth", 0},       {"bias_slope", 0},
+        {"bias_clamp", 0},
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
         {"ambient", 77},        {"composite", 0},      {"density", 218},
@@ -199,6 +202,9 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("bias_unit", "quanta", BiasUnit::quanta));
     all.push_back(named("bias_unit", "texels", BiasUnit::texels));
     all.push_back(named("bias_unit", "world", BiasUnit::world));
+    all.push_back(named("map_depth", "first", MapDepth::first));
+    all.push_back(named("map_depth", "back", MapDepth::back));
+    all.push_back(named("map_depth", "midpoint", MapDepth::midpoint));
     all.push_back(named("dither", "none", hw::DitherShape::none));
     all.push_back(named("dither", "uniform", hw::DitherShape::uniform));
     all.push_back(named("dither", "triangular", hw::DitherShape::triangular));

@@ -1,0 +1,14 @@
+// What a light's map costs beside its drawing, in operations (hw/operations.hpp): section 23's rows
+// of hw/MACHINE.md.
+#pragma once
+
+#include "hw/operations.hpp"
+
+namespace umbra78::shadow::cost {
+
+// A sample is compared with the second depth, too, which is then read or written, and moves down.
+inline constexpr hw::Operations second_sample{2, 0, 0, 0, 0, 1};
+// Both depths read, their midpoint written.
+inline constexpr hw::Operations midpoint_texel{1, 0, 0, 0, 0, 3};
+
+}  // namespace umbra78::shadow::cost
