@@ -307,6 +307,9 @@ TEST(SettingsTable, RangesAreThese) {
         {"background", {0, 1}},
         {"bias", {-(one << 40), one << 40}},
         {"bias_unit", {0, 2}},
+        {"map_depth", {0, 2}},
+        {"bias_slope", {0, 64 << 8}},
+        {"bias_clamp", {0, one << 40}},
         {"dither", {0, 4}},
         {"dither_size", {0, 1024}},
         {"dither_seed", {1, 2147483647}},
@@ -347,7 +350,7 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
         s.machine.xy_bits = std::min(s.machine.xy_bits, 5);
         if (!can_be_built(s)) return;
         const test::FigureScene figures;
-        test::Frame<hw::Depth32> frame(s.machine, figures.patches.size());
+        test::Frame<hw::Depth32> frame(s.machine, figures.patches.size(), map_layers(s));
         const FrameStatus status = frame.draw(figures.scene(), s);
         EXPECT_TRUE(status == FrameStatus::ok || what == "bias" || what == "all") << what;
         if (status != FrameStatus::ok) return;
@@ -366,7 +369,7 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
         row.set(high, row.max);
     }
     high.form = Form::post_process;
-    low.bias_q16 = high.bias_q16 = 0;
+    low.bias_q16 = high.bias_q16 = high.bias_clamp_q16 = 0;
     high.machine.z_bits = 16;
     draw(low, "all");
     draw(high, "all");
