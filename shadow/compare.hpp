@@ -12,6 +12,7 @@
 
 #include "hw/frame_store.hpp"
 #include "shadow/light_place.hpp"
+#include "shadow/receiver.hpp"
 
 #include <cstdint>
 
@@ -38,21 +39,37 @@ LightMap<Depth> light_map(const hw::FrameStore<const Depth>& store, const Shadow
     return {store, test.machine, test.lookup, test.background};
 }
 
-// `p` from the transform unit, `d` the pixel's dither words (0 where dither is off).
+// Twice the centre of a texel, in words of X or Y.
+constexpr std::int64_t twice_centre(const hw::MachineSpec& spec, std::int64_t texel) {
+    return (2 * (texel - spec.half_px()) + 1) * (std::int64_t{1} << spec.fraction_bits);
+}
+
+// `p` from the transform unit, `d` the pixel's dither words (0 where dither is off). `plane` is the
+// pixel's, whose depth at the sampled place is compared; null: the pixel's own depth is.
 template <class Depth>
-bool in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherWords& d) {
+bool in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherWords& d,
+               const ReceiverPlane* plane = nullptr) {
     const hw::MachineSpec& spec = map.spec;
     const LightPlace at = light_place(spec, p, d);
     if (!at.inside) return false;
+    const auto at_texel = [&](std::int64_t x, std::int64_t y) {
+        return plane == nullptr ? at.code
+                                : at.code + plane->change(twice_centre(spec, x),
+                                                          twice_centre(spec, y));
+    };
     if (!interpolates(spec, map.lookup)) {  // nearest lookup does not use the fractions
         const TexelPlace t = texel_place(spec, false, at.x, at.y);
-        return at.code > map.texel(t.x, t.y);
+        return at_texel(t.x, t.y) > map.texel(t.x, t.y);
     }
     const TexelPlace t = texel_place(spec, true, at.x, at.y);
     const FourCodes z = map.four(t.x, t.y);
-    if (falls_back(spec, map.background, z))
-        return at.code > z[nearest_of_four(spec, t.fx, t.fy)];
-    return blend_scale(spec, at.code) > blend_of(spec, t.fx, t.fy, z).z;
+    if (falls_back(spec, map.background, z)) {
+        const std::size_t k = nearest_of_four(spec, t.fx, t.fy);
+        return at_texel(t.x + static_cast<int>(k % 2), t.y + static_cast<int>(k / 2)) > z[k];
+    }
+    const std::int64_t code = plane == nullptr ? at.code
+                                               : at.code + plane->change(2 * at.x, 2 * at.y);
+    return blend_scale(spec, code) > blend_of(spec, t.fx, t.fy, z).z;
 }
 
 }  // namespace umbra78::shadow

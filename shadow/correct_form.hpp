@@ -31,6 +31,8 @@ public:
         : store_(store), map_(map), unit_(unit), settings_(settings), mask_(mask),
           draws_noise_(hw::built(hw::Feature::dither) && noise) {
         check_machine(settings.machine);
+        fixed::require(settings.receiver == Receiver::point,
+                       "correct form: a point that is drawn has no neighbours for a plane");
         check_observer<Depth>(store, settings.machine);
         fixed::require(store.shades(),
                        "correct form: the observer's store has no intensities or direct shares");

@@ -1,5 +1,7 @@
 #include "shadow/frame/costs.hpp"
 
+#include "shadow/frame/bias_cost.hpp"
+
 #include <algorithm>
 
 namespace umbra78::shadow {
@@ -60,6 +62,9 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
                                      ? drawn.ledger.visible
                                      : read;
     StageCycles c = points(tested, s, affine, !affine || plan.unit_work().divide, plan);
+    if (s.receiver == Receiver::plane)
+        c.operations = method_of(drawn.inputs)
+                           .units(drawn.ledger.visible * cost::receiver_plane, s);
     if (!plan.leaves_out(Omission::noise))
         c.noise = (when_drawn ? tested : read) *
                   word(hw::ClockedNoise::cycles_per_pixel(drawn_dither(s), s.timing));

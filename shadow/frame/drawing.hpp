@@ -74,6 +74,13 @@ inline raster::Casters casters_of(const FrameInputs& in, std::size_t l) {
     return c;
 }
 
+// By how much light l's receivers' planes may change a depth, in quanta.
+inline std::int64_t plane_limit(const FrameInputs& in, std::size_t l) {
+    return in.settings.bias_clamp_q16 == 0
+               ? INT64_MAX
+               : fixed::floor_shift(in.matrices.lights[l].clamp_quanta_q16, 16);
+}
+
 // Draws into what the store holds; the sink decides whether a sample replaces what is there. What
 // is left out as hidden depends on the order; a batch of a stream has none.
 template <class Depth, class Sink>

@@ -1,9 +1,9 @@
 #include "shadow/frame/ledger.hpp"
 
 #include "raster/drawing_cost.hpp"
+#include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/drawing.hpp"
 #include "shadow/frame/filter_cost.hpp"
-#include "shadow/frame/map_cost.hpp"
 #include "shadow/lines.hpp"
 
 #include <algorithm>

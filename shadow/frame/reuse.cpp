@@ -98,7 +98,9 @@ bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
            hw::product_cut(s.machine) == hw::product_cut(t.machine) &&
            (m.observer_to_light.affine || s.machine.divide_order == t.machine.divide_order) &&
            s.registration == t.registration && s.lookup == t.lookup &&
-           (!bilinear || s.background == t.background) && same_dither(s, t);
+           (!bilinear || s.background == t.background) && same_dither(s, t) &&
+           s.receiver == t.receiver &&
+           (s.receiver == Receiver::point || plane_limit(a, l) == plane_limit(b, l));
 }
 
 bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) {

@@ -118,7 +118,7 @@ TEST(Casters, BothSidesTogetherAreTheWhole) {
             }
 }
 
-// A plane of known slope: every code is moved by the same quanta, up to the limit and the far plane.
+// A plane of known slope: all codes move by the same quanta, up to the limit and the far plane.
 TEST(Casters, APlaneMovesAsAWhole) {
     const umbra78::test::Patches patches{plane_patch(
         umbra78::test::plane({-1, -1, -0.5}, {2, 0, 0.5}, {0, 2, 1}))};

@@ -106,8 +106,12 @@ class Frame:
         if s.form == "correct":
             self.make_observer_z()
             return
-        make = array_mask if s.arithmetic == "ap120b" else post_process
-        self.made["mask"] = make(self.observer_z, self.light_z, self.matrix(), s, dither_words(s))
+        given = self.observer_z, self.light_z, self.matrix(), s, dither_words(s)
+        if s.arithmetic == "ap120b":
+            self.made["mask"] = array_mask(*given)
+            return
+        clamp = self.light.bias_quanta(s.bias_clamp, s.bias_unit, s)
+        self.made["mask"] = post_process(*given, clamp >> 16 if s.bias_clamp else None)
 
     def visible(self):
         return [code != self.s.background_code for code in self.observer_z]

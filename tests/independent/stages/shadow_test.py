@@ -1,5 +1,6 @@
 """The post-process and the correct form (sections 11 and 12)."""
 from .notation import shift_down
+from .receiver import Receivers
 from .transform_unit import ScreenUnit
 
 
@@ -20,12 +21,15 @@ class LightMap:
             return self.codes[b * self.s.size_px + a]
         return self.s.background_code
 
-    def nearest(self, x, y, code):
+    def nearest(self, x, y, code, plane):
         s = self.s
-        return code > self.texel((x >> s.fraction_bits) + s.half_px,
-                                 (y >> s.fraction_bits) + s.half_px)
+        tx, ty = (x >> s.fraction_bits) + s.half_px, (y >> s.fraction_bits) + s.half_px
+        if plane:
+            code += plane.change(*(2 * s.one_texel * (t - s.half_px) + s.one_texel
+                                   for t in (tx, ty)))
+        return code > self.texel(tx, ty)
 
-    def bilinear(self, x, y, code):
+    def bilinear(self, x, y, code, plane):
         s, q = self.s, self.s.one_texel
         cx, cy = x - q // 2, y - q // 2
         tx, ty = (cx >> s.fraction_bits) + s.half_px, (cy >> s.fraction_bits) + s.half_px
@@ -33,11 +37,13 @@ class LightMap:
         four = (self.texel(tx, ty), self.texel(tx + 1, ty),
                 self.texel(tx, ty + 1), self.texel(tx + 1, ty + 1))
         if s.background == "fall_back" and s.background_code in four:
-            return self.nearest(x, y, code)
+            return self.nearest(x, y, code, plane)
+        if plane:
+            code += plane.change(2 * x, 2 * y)
         return code * q * q > ((q - fy) * ((q - fx) * four[0] + fx * four[1])
                                + fy * ((q - fx) * four[2] + fx * four[3]))
 
-    def in_shadow(self, point, dither):
+    def in_shadow(self, point, dither, plane=None):
         """Steps 1 to 6 for the unit's results (None: a status) and a pixel's dither words."""
         s = self.s
         if point is None:
@@ -47,16 +53,23 @@ class LightMap:
         if not (-edge <= x < edge and -edge <= y < edge and 0 <= code <= s.deepest_drawn):
             return False
         if s.lookup == "bilinear" and s.fraction_bits > 0:
-            return self.bilinear(x, y, code)
-        return self.nearest(x, y, code)
+            return self.bilinear(x, y, code, plane)
+        return self.nearest(x, y, code, plane)
 
 
-def post_process(observer_z, light_z, matrix, s, dither):
+def post_process(observer_z, light_z, matrix, s, dither, limit=None):
+    """`limit` is the receiver's plane's, None for none."""
     unit, light_map, mask = ScreenUnit(matrix, s), LightMap(light_z, s), [0] * len(observer_z)
+
+    def unit_at(px, py, code):
+        return unit(*pixel_words(px, py, code, s))
+    planes = Receivers(observer_z, unit_at, limit, s)
     for p, code in enumerate(observer_z):
         if code != s.background_code:
-            point = unit(*pixel_words(p % s.size_px, p // s.size_px, code, s))
-            if light_map.in_shadow(point, dither[p] if dither else (0, 0)):
+            px, py = p % s.size_px, p // s.size_px
+            point = unit_at(px, py, code)
+            plane = planes.plane(px, py, point) if s.receiver == "plane" else None
+            if light_map.in_shadow(point, dither[p] if dither else (0, 0), plane):
                 mask[p] = 255
     return mask
 

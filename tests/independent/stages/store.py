@@ -10,8 +10,8 @@ def draw(patches, facets, object_fraction, view, s, record=None, shading=None):
     """The planes of a view of the object words, and counts of patches.
 
     A facet is three places in object words, and three normals or None.  Without `record` the store
-    keeps codes only, as the light's does, by section 23.  Else record(levels)(sample, code) is what is compared
-    after the code: intensity, direct and any others.
+    keeps codes only, as the light's does, by section 23.  Else record(levels)(sample, code) is what
+    is compared after the code: intensity, direct and any others.
     """
     planes = [s.background_code] * (s.size_px * s.size_px)
     stored = {}

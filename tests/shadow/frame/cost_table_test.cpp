@@ -1,7 +1,7 @@
 // The constants of the costs are the rows of the table in hw/MACHINE.md, section 16, word for word.
 #include "raster/drawing_cost.hpp"
+#include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/filter_cost.hpp"
-#include "shadow/frame/map_cost.hpp"
 #include "tests/support/machine_text.hpp"
 
 #include <gtest/gtest.h>
@@ -85,6 +85,7 @@ TEST(CostTable, SurfaceBias) {
     expect_row(row("sample of a facet, moved", raster::cost::moved_sample));
     expect_row(row("sample, second depth kept", cost::second_sample));
     expect_row(row("texel, midpoint", cost::midpoint_texel));
+    expect_row(row("visible pixel, its plane", cost::receiver_plane));
 }
 
 TEST(CostTable, Drawing) {

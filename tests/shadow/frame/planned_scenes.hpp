@@ -192,6 +192,13 @@ inline std::vector<PlannedScene> planned_scenes() {
             p.settings.form = Form::correct;
         }
     }
+    {
+        PlannedScene& p = add("receiver's planes", 4);
+        add_floor(p);
+        p.settings.receiver = Receiver::plane;
+        p.settings.bias_q16 = 2 << 16;
+        p.settings.bias_clamp_q16 = 400 << 16;
+    }
     return all;
 }
 

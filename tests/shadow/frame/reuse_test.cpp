@@ -74,7 +74,7 @@ const Expected post_process_form{
     {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""},
     {"surface", ""}, {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"},
     {"background", "LDO"}, {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"},
-    {"map_depth", "DO"}, {"bias_slope", "DO"},
+    {"map_depth", "DO"}, {"bias_slope", "DO"}, {"receiver", "LDO"},
     {"dither_size", "LDO"},
     {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
     {"composite", "LDOM"}, {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
