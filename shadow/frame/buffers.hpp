@@ -52,8 +52,8 @@ template <class Depth>
 std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches, std::size_t lights = 1,
                         int map_layers = 1);
 
-// map_layers is shadow::map_layers(settings), 1 or 2. `memory` has at least frame_bytes() bytes and is aligned to frame_alignment. Traps otherwise,
-// and for widths out of range.
+// `memory` has at least frame_bytes() bytes, aligned to frame_alignment; map_layers is 1, or 2 if
+// shadow::map_layers(settings) says so. Traps otherwise, and for widths out of range.
 template <class Depth>
 FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
                           std::size_t patches, std::size_t lights = 1, int map_layers = 1);

@@ -56,7 +56,8 @@ std::vector<Case> forms(const Request& search, bool quick) {
         {{"receiver", {"plane"}}, {"bias_clamp", {"512"}}}};
     std::vector<Case> cases;
     for (std::vector<GridKey> form : all) {
-        std::vector<GridKey> axes{{"lookup", {"nearest", "bilinear"}}, {"dither", {"none", "normal"}},
+        std::vector<GridKey> axes{{"lookup", {"nearest", "bilinear"}},
+                                  {"dither", {"none", "normal"}},
                                   unit};
         if (quick) axes[0].second = {"nearest"}, axes[1].second = {"none"};
         axes.insert(axes.end(), form.begin(), form.end());

@@ -1,5 +1,6 @@
 #include "tools/study/bias/report.hpp"
 
+#include "tools/study/bias/forms.hpp"
 #include "tools/study/bias/search.hpp"
 #include "tools/study/report_sections.hpp"
 
@@ -85,12 +86,6 @@ void plot_rates(const Rows& rates, Report& report) {
                           "each dither. Rates of 0 and a bias of 0 have no place on logarithmic "
                           "axes; the CSV has them.");
     }
-}
-
-// "not found" where no bias up to the search's end suffices.
-std::string figure(const Row& row, const std::string& column, int digits = 3) {
-    const double value = row.number(column);
-    return std::isnan(value) ? "not found" : rounded(value, digits);
 }
 
 // The maximum over the biases of the sweep that belongs to a search, and the search itself.
@@ -238,64 +233,6 @@ void answer_scene(const Row& row, Report& report) {
     }
 }
 
-// A form's name: what its row sets beside the constant.
-std::string form_of(const Row& row) {
-    std::string name;
-    if (row.text("map_depth") != "first") name = row.text("map_depth") + " map";
-    if (row.number("bias_slope") > 0) name = "slope x " + row.text("bias_slope");
-    if (row.text("receiver") != "point") name = "receiver's plane";
-    if (name.empty()) return "constant";
-    if (row.number("bias_clamp") > 0)
-        name += fmt::format(", at most {} quanta", row.text("bias_clamp"));
-    return name;
-}
-
-// Each form by what is left for the constant, and by what it costs: light where shadow is.
-void report_forms(const Rows& rows, Report& report) {
-    if (rows.empty()) return;
-    report.heading("Bias that follows the surface");
-    Plot plot{.name = "forms", .title = "What is left for the constant bias, and what leaks",
-              .x_label = "least constant bias beside the form (Z quanta)",
-              .y_label = "false light at that bias (%)"};
-    TableCells table{{"form", "lookup", "dither",
-                      "least constant bias outside the edge band, quanta",
-                      "texels", "world units", "false shadow", "false light", "false light outside",
-                      "gap, texels", "gap, world units"}};
-    auto& json = report.summary()["forms"];
-    for (const auto& [name, some] : grouped(rows, {"map_depth", "bias_slope", "bias_clamp",
-                                                   "receiver"})) {
-        Series series{.title = form_of(some[0]), .line = false};
-        for (const Row& row : some) {
-            table.push_back({form_of(row), row.text("lookup"), row.text("dither"),
-                             figure(row, "least_outside_quanta"),
-                             figure(row, "least_outside_texels"),
-                             figure(row, "least_outside_world"),
-                             percent(row.number("false_shadow")),
-                             percent(row.number("false_light")),
-                             percent(row.number("false_light_outside")),
-                             figure(row, "gap_texels"), figure(row, "gap_world")});
-            json.push_back({{"form", form_of(row)},
-                            {"lookup", row.text("lookup")},
-                            {"dither", row.text("dither")},
-                            {"least_outside_quanta", row.number("least_outside_quanta")},
-                            {"false_light", row.number("false_light")},
-                            {"gap_texels", row.number("gap_texels")}});
-            if (std::isnan(row.number("least_outside_quanta"))) continue;
-            series.points.emplace_back(row.number("least_outside_quanta"),
-                                       100 * row.number("false_light"));
-            series.labels.push_back(row.text("lookup").substr(0, 3) +
-                                    (row.text("dither") == "none" ? "" : ", dither"));
-        }
-        if (!series.points.empty()) plot.series.push_back(std::move(series));
-    }
-    report.plot(plot, "Each form of bias at the least constant bias that it still needs. Left is "
-                      "less left to tune, down is less leak. A map of back faces leaks on the side "
-                      "that faces away from the light, which no direct light reaches.");
-    report.table(table, "The least constant bias, in whole quanta, with under 0.1 % false shadow "
-                        "outside the edge band beside each form, and both errors there. The gap is "
-                        "the distance from its caster at which a shadow begins.");
-}
-
 void report_all(std::span<const Row> rows, Report& report) {
     const Rows searches = measured(rows, "least"), rates = measured(rows, "rates");
     answer_least(searches, report);
@@ -317,6 +254,11 @@ void report_all(std::span<const Row> rows, Report& report) {
 }
 
 }  // namespace
+
+std::string figure(const Row& row, const std::string& column, int digits) {
+    const double value = row.number(column);
+    return std::isnan(value) ? "not found" : rounded(value, digits);
+}
 
 std::vector<UnitSpread> unit_spreads(std::span<const Row> rows) {
     std::vector<UnitSpread> spreads;
