@@ -80,7 +80,8 @@ TEST(FrameWarnings, AFittedNearPlaneThatCutsIsReported) {
 
 // A ball is closed; a plane, a patch and a facet are not, and two facets share one side of three.
 TEST(FrameWarnings, OpenSurfacesLoseTheirShadowsInAMapOfBacks) {
-    const std::string ball = "[light]\nazimuth = 20\n[[sphere]]\nradius = 0.5\n";
+    const std::string ball =
+        "[light]\nazimuth = 20\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 0.5\n";
     const std::string plane =
         "[[plane]]\norigin = [-1, -1, -1]\nu = [2, 0, 0]\nv = [0, 0, 2]\n";
     const Texts back = with(small, {"map_depth=back"});
