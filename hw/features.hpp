@@ -31,7 +31,8 @@
     X(ledger, "cycles: the clocked post-process, the ledger, the costs of a plan") \
     X(reuse, "keeping what does not change from frame to frame") \
     X(z32, "more than 16 bits of Z") \
-    X(lights, "several lights, lights with area, colour")
+    X(lights, "several lights, lights with area, colour") \
+    X(surface_bias, "map_depth other than first, bias_slope, and receiver = plane")
 
 namespace umbra78::hw {
 

@@ -49,7 +49,7 @@ constexpr std::uint64_t DrawCounts::*all_counts[] = {
     &DrawCounts::tested_blocks,  &DrawCounts::splits,
     &DrawCounts::tested_centres, &DrawCounts::facets,
     &DrawCounts::cut_facets,     &DrawCounts::diced_patches,
-    &DrawCounts::diced_vertices, &DrawCounts::back_triangles,
+    &DrawCounts::diced_vertices, &DrawCounts::turned_triangles,
     &DrawCounts::triangles,      &DrawCounts::triangle_lines,
     &DrawCounts::unresolved_facets};
 static_assert(sizeof(DrawCounts) == sizeof(std::uint64_t) * std::size(all_counts));

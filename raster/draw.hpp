@@ -12,6 +12,7 @@
 #pragma once
 
 #include "hw/features.hpp"
+#include "raster/casters.hpp"
 #include "raster/dice.hpp"
 #include "raster/diced_view.hpp"
 #include "raster/facet.hpp"
@@ -61,7 +62,7 @@ struct DrawCounts {
     std::uint64_t tested_centres = 0;  // pixel centres in a leaf's window
     std::uint64_t facets = 0, cut_facets = 0;  // of the mesh; those cut to the guard band
     std::uint64_t diced_patches = 0, diced_vertices = 0;
-    std::uint64_t back_triangles = 0;          // left out by their facing
+    std::uint64_t turned_triangles = 0;          // left out by their facing
     std::uint64_t triangles = 0;               // that may cover a centre
     std::uint64_t triangle_lines = 0;          // scan lines in their boxes
     std::uint64_t unresolved_facets = 0;       // dropped: a corner has no quotient
@@ -71,8 +72,6 @@ struct DrawCounts {
 
 // How patches become samples: by Catmull's subdivision, or diced to facets (dice.hpp).
 enum class PatchForm : std::uint8_t { catmull, diced };
-// Which facets are drawn: all, or those whose vertices turn counter-clockwise as they are seen.
-enum class Facing : std::uint8_t { both, front };
 
 // Which surfaces are drawn: all; those of which a sample may lie in the view; or the others, which
 // changes no store. A patch is outside by its control points' bounds, a facet of the mesh by its
@@ -89,13 +88,17 @@ struct DrawSetup {
     PatchForm form = PatchForm::catmull;
     int dice_levels = 3;              // at most so many
     std::int64_t dice_tolerance = 0;  // world words
-    Facing facing = Facing::both;
+    Facing facing = Facing::both;  // of facets
     // Whether blocks behind what was drawn before are left out. Without it the counts do not depend
     // on the order of the patches.
     bool leaves_out_hidden = true;
     hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point
     Drawn drawn = Drawn::all;
+    Casters casters{};  // of a light's map
 
+    Facing facet_facing() const {
+        return casters.facing == Facing::both ? facing : casters.facing;
+    }
     // `outside` is asked only where it matters.
     template <class Outside>
     bool draws(Outside&& outside) const {
@@ -173,10 +176,13 @@ struct Emitter {
     SampleSink& sink;
     DrawCounts& counts;
 
+    // `offset` moves the sample away, and not beyond the far plane; it is not negative.
     template <class Shading>
-    void operator()(const Sample& s, const Shading* shading) const {
+    void operator()(const Sample& s, const Shading* shading, std::int64_t offset = 0) const {
         std::uint32_t code = 0;
         if (!depth_code(s.z, setup.spec, code)) return;
+        if (offset > 0 && !depth_code(s.z + offset, setup.spec, code))
+            code = setup.spec.deepest_drawn();
         ++counts.samples;
         sink.sample(s, code, shading);
     }
@@ -193,11 +199,20 @@ const Material* material_of(std::uint16_t material, const DrawSetup& setup) {
 template <class SampleSink>
 void sample_block(const DrawSetup& setup, const DrawMemory& memory, const BlockShading* shading,
                   const Emitter<SampleSink>& emit) {
-    const auto each = [&](const Sample& s) { emit(s, shading); };
-    if (!hw::built(hw::Feature::leaf_sampling) || setup.sampling == Sampling::centre) {
-        emit.counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
-    } else {
-        sample_leaves(memory.corners, setup.spec, each);
+    const auto take = [&](auto&& each) {
+        if (!hw::built(hw::Feature::leaf_sampling) || setup.sampling == Sampling::centre) {
+            emit.counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
+        } else {
+            sample_leaves(memory.corners, setup.spec, each);
+        }
+    };
+    if (setup.casters.all_alike()) return take([&](const Sample& s) { emit(s, shading); });
+    if constexpr (hw::built(hw::Feature::surface_bias)) {
+        take([&](const Sample& s) {
+            std::int64_t offset = 0;
+            if (cast_by_leaf(setup.casters, memory.corners, s, setup.sampling, offset))
+                emit(s, shading, offset);
+        });
     }
 }
 
@@ -253,20 +268,24 @@ void draw_facets(const Mesh& mesh, const DrawSetup& setup, FacetWalk& walk,
         for (std::size_t k = 0; k < walk.triangles(); ++k) {
             const FacetTriangle triangle = walk.triangle(k);
             const auto& [a, b, c] = triangle.screen;
-            if (setup.facing == Facing::front && turn(a, b, c.x, c.y) > 0) {
-                ++counts.back_triangles;
+            if (setup.facet_facing() != Facing::both &&
+                !is_drawn(setup.facet_facing(), turn(a, b, c.x, c.y))) {
+                ++counts.turned_triangles;
                 continue;
             }
+            std::int64_t offset = 0;
+            if (!setup.casters.all_alike() && setup.casters.slope_q8 > 0)
+                offset = setup.casters.offset(depth_slope(a, b, c));
             std::uint64_t lines = 0;
             if constexpr (SampleSink::shades) {
                 const FacetShading shading(triangle, walk.facet(), facet.normal[0] == Facet::flat,
                                            setup.shading, *material);
                 lines = sample_triangle(a, b, c, setup.spec,
-                                        [&](const Sample& s) { emit(s, &shading); });
+                                        [&](const Sample& s) { emit(s, &shading, offset); });
             } else {
                 const FacetShading* const none = nullptr;
                 lines = sample_triangle(a, b, c, setup.spec,
-                                        [&](const Sample& s) { emit(s, none); });
+                                        [&](const Sample& s) { emit(s, none, offset); });
             }
             counts.triangles += lines > 0 ? 1 : 0;
             counts.triangle_lines += lines;

@@ -1,8 +1,8 @@
 // What drawing a view costs, in operations: the counts of a drawing times what each thing costs.
 //
 // The constants count the additions, products and quotients in the formulas of hw/MACHINE.md,
-// sections 6, 7, 9, 14, 21 and 22, component by component; the tables there (sections 16, 21 and
-// 22) are these.
+// sections 6, 7, 9, 14 and 21 to 24, component by component; the tables there (sections 16 and 21
+// to 23) are these.
 #pragma once
 
 #include "hw/operations.hpp"
@@ -60,6 +60,11 @@ inline constexpr Operations corner_weights{0, 6, 24, 2, 2 * 11, 0};  // of a sha
 // tangents, their product and its length.
 inline constexpr Operations diced_vertex{48, 60, 120};
 inline constexpr Operations diced_normal{120, 105, 228, 4, 30 + 3 * 15, 0};
+// The slope of a triangle that casts: two rises, the greater over the area, times the factor; and a
+// leaf's sample is moved by it. A facet's is made once, and each of its samples is moved.
+inline constexpr Operations leaf_slope{11, 5, 20, 1, 31, 0};
+inline constexpr Operations facet_slope{10, 5, 20, 1, 31, 0};
+inline constexpr Operations moved_sample{1};
 inline constexpr std::uint64_t facet_quotients = 9;  // in perspective: X, Y and Z of 3 corners
 
 }  // namespace cost
@@ -76,6 +81,12 @@ struct SampleCost {
         return o;
     }
 };
+
+// What it costs that a light's casters are moved by their slopes.
+inline hw::Operations slope_operations(const DrawCounts& counts) {
+    return (counts.samples - counts.facet_samples) * cost::leaf_slope +
+           counts.triangles * cost::facet_slope + counts.facet_samples * cost::moved_sample;
+}
 
 // The operations of a drawing with these counts, in which nothing was left out as hidden.
 inline hw::Operations drawing_operations(const DrawCounts& counts, const MachineSpec& spec,

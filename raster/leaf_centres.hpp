@@ -157,7 +157,8 @@ std::uint64_t sample_leaf_centres(const Corners& g, const hw::MachineSpec& spec,
             const detail::Offset r = from_00(c01.x, c01.y), d = from_00(x, y);
             std::int64_t z = 0;
             if (detail::leaf_depth(c00, c10, c11, p, q, d, z)) emit(Sample{px, py, x, y, z, i, j});
-            if (detail::leaf_depth(c00, c11, c01, q, r, d, z)) emit(Sample{px, py, x, y, z, i, j});
+            if (detail::leaf_depth(c00, c11, c01, q, r, d, z))
+                emit(Sample{px, py, x, y, z, i, j, true});
             ++tested;
         }
     }

@@ -44,6 +44,7 @@ struct Sample {
     std::int32_t x, y;    // where it was taken, raster units from the centre of the frame
     std::int64_t z;       // raster units
     int leaf_i, leaf_j;   // within the block
+    bool second = false;  // of the leaf's triangles, in centre sampling
 };
 
 using Corners = std::array<CornerGrid<std::int32_t>, 3>;
@@ -58,6 +59,11 @@ inline Corner corner_at(const Corners& g, int i, int j) {
 }
 
 namespace detail {
+// Twice the signed area of p, q and a place; positive where the turn is clockwise on the screen.
+constexpr std::int64_t turn(const Corner& p, const Corner& q, std::int64_t x, std::int64_t y) {
+    return (std::int64_t{q.x} - p.x) * (y - p.y) - (x - p.x) * (std::int64_t{q.y} - p.y);
+}
+
 // triangle_depth for triangles of any size and a place in their box.
 bool wide_triangle_depth(const Corner& a, const Corner& b, const Corner& c, std::int32_t x,
                          std::int32_t y, std::int64_t& z);
@@ -148,7 +154,8 @@ std::uint64_t sample_centres(const Corners& g, const hw::MachineSpec& spec, Emit
                     const std::int32_t x = pixel_centre(px, half), y = pixel_centre(py, half);
                     std::int64_t z = 0;
                     if (triangle_depth(c00, c10, c11, x, y, z)) emit(Sample{px, py, x, y, z, i, j});
-                    if (triangle_depth(c00, c11, c01, x, y, z)) emit(Sample{px, py, x, y, z, i, j});
+                    if (triangle_depth(c00, c11, c01, x, y, z))
+                        emit(Sample{px, py, x, y, z, i, j, true});
                 }
             }
         }

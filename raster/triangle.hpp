@@ -27,11 +27,6 @@ static_assert(std::int64_t{2} * max_screen * (std::int64_t{2} * max_screen) <
 
 namespace detail {
 
-// Twice the signed area of p, q and a place; positive where the turn is clockwise on the screen.
-constexpr std::int64_t turn(const Corner& p, const Corner& q, std::int64_t x, std::int64_t y) {
-    return (std::int64_t{q.x} - p.x) * (y - p.y) - (x - p.x) * (std::int64_t{q.y} - p.y);
-}
-
 // floor(numerator / denominator) of a fraction that grows by another one at each step.
 class Stepper {
 public:

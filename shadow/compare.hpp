@@ -16,6 +16,8 @@
 
 #include "hw/frame_store.hpp"
 #include "fixed/trap.hpp"
+#include "shadow/light_place.hpp"
+#include "shadow/receiver.hpp"
 #include "shadow/window.hpp"
 
 #include <cstdint>
@@ -48,19 +50,35 @@ LightMap<Depth> light_map(const hw::FrameStore<const Depth>& store, const Shadow
     return {store, test.machine, test.lookup, test.background, window_of(test)};
 }
 
-// Of a point inside the volume, by nearest or bilinear lookup.
+// Twice the centre of a texel, in words of X or Y.
+constexpr std::int64_t twice_centre(const hw::MachineSpec& spec, std::int64_t texel) {
+    return (2 * (texel - spec.half_px()) + 1) * (std::int64_t{1} << spec.fraction_bits);
+}
+
+// Of a point inside the volume, by nearest or bilinear lookup. `plane` is the pixel's, whose depth
+// at the sampled place is compared; null: the pixel's own depth is.
 template <class Depth>
-bool nearest_or_blend(const LightMap<Depth>& map, const LightPlace& at) {
+bool nearest_or_blend(const LightMap<Depth>& map, const LightPlace& at,
+                      const ReceiverPlane* plane) {
     const hw::MachineSpec& spec = map.spec;
+    const auto at_texel = [&](std::int64_t x, std::int64_t y) {
+        return plane == nullptr ? at.code
+                                : at.code + plane->change(twice_centre(spec, x),
+                                                          twice_centre(spec, y));
+    };
     if (!interpolates(spec, map.lookup)) {  // nearest lookup does not use the fractions
         const TexelPlace t = texel_place(spec, false, at.x, at.y);
-        return at.code > map.texel(t.x, t.y);
+        return at_texel(t.x, t.y) > map.texel(t.x, t.y);
     }
     const TexelPlace t = texel_place(spec, true, at.x, at.y);
     const FourCodes z = map.four(t.x, t.y);
-    if (falls_back(spec, map.background, z))
-        return at.code > z[nearest_of_four(spec, t.fx, t.fy)];
-    return blend_scale(spec, at.code) > blend_of(spec, t.fx, t.fy, z).z;
+    if (falls_back(spec, map.background, z)) {
+        const std::size_t k = nearest_of_four(spec, t.fx, t.fy);
+        return at_texel(t.x + static_cast<int>(k % 2), t.y + static_cast<int>(k / 2)) > z[k];
+    }
+    const std::int64_t code = plane == nullptr ? at.code
+                                               : at.code + plane->change(2 * at.x, 2 * at.y);
+    return blend_scale(spec, code) > blend_of(spec, t.fx, t.fy, z).z;
 }
 
 // Of a point inside the volume, by a window of taps.
@@ -81,24 +99,24 @@ std::uint8_t window_darkness(const LightMap<Depth>& map, const LightPlace& at,
 }
 
 // `p` from the transform unit, `d` the pixel's dither words (0 where dither is off), `noise` its
-// taps' bytes, which jittered taps alone read.
+// taps' bytes, which jittered taps alone read, `plane` the receiver's, which windows do not take.
 template <class Depth>
 std::uint8_t darkness(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherWords& d,
-                      const hw::TapBytes& noise = {}) {
+                      const hw::TapBytes& noise = {}, const ReceiverPlane* plane = nullptr) {
     const LightPlace at = light_place(map.spec, p, d);
     if (!at.inside) return mask_lit;
     if constexpr (hw::built(hw::Feature::windows))
         if (has_window(map.lookup)) return window_darkness(map, at, noise);
-    return nearest_or_blend(map, at) ? mask_shadow : mask_lit;
+    return nearest_or_blend(map, at, plane) ? mask_shadow : mask_lit;
 }
 
 // The same, of a lookup whose answer is yes or no; traps for percentage lookup.
 template <class Depth>
 bool in_shadow(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherWords& d,
-               const hw::TapBytes& noise = {}) {
+               const hw::TapBytes& noise = {}, const ReceiverPlane* plane = nullptr) {
     fixed::require(map.lookup != Lookup::percentage,
                    "lookup: percentage closer filtering gives a share, not yes or no");
-    return darkness(map, p, d, noise) == mask_shadow;
+    return darkness(map, p, d, noise, plane) == mask_shadow;
 }
 
 }  // namespace umbra78::shadow

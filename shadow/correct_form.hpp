@@ -37,7 +37,10 @@ public:
     CorrectSink(hw::FrameStore<Depth>& store, const TestedLights<Depth>& lights,
                 const ShadowTest& settings, bool noise)
         : store_(checked(store, lights, settings.machine)), planes_(store), lights_(lights),
-          settings_(settings), draws_noise_(hw::built(hw::Feature::dither) && noise) {}
+          settings_(settings), draws_noise_(hw::built(hw::Feature::dither) && noise) {
+        fixed::require(settings.receiver == Receiver::point,
+                       "correct form: a point that is drawn has no neighbours for a plane");
+    }
 
     // Nothing is left out: the machine transforms every point it generates.
     bool hidden(const raster::Footprint&) const { return false; }

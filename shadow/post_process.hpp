@@ -58,10 +58,11 @@ struct PostProcessCounts {
     std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
 };
 
+// `limit` is the receiver's plane's, in quanta (shadow/receiver.hpp).
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask);
+                               std::span<std::uint8_t> mask, std::int64_t limit = INT64_MAX);
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, std::span<std::uint8_t> mask) {

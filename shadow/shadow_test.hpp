@@ -1,5 +1,5 @@
 // What the shadow test of a point reads: the machine's widths, where a pixel's coordinate lies,
-// how the light map is looked up, and the dither.
+// how the light map is looked up, the dither, and which of the pixel's depths is compared.
 //
 // Every stage of the post-process takes this value and not the settings of a whole frame
 // (shadow/frame/settings.hpp), which add to it what the other stages read.
@@ -25,6 +25,10 @@ enum class TapPlaces : std::uint8_t { grid, jittered };
 // code like any other, or falls back to the nearest texel alone.
 enum class Background : std::uint8_t { blend, fall_back };
 
+// What of a pixel is compared: its own depth, or its plane's where the map is sampled
+// (shadow/receiver.hpp).
+enum class Receiver : std::uint8_t { point, plane };
+
 struct ShadowTest {
     hw::MachineSpec machine{};
     Registration registration = Registration::centre;
@@ -33,6 +37,7 @@ struct ShadowTest {
     std::int32_t taps = 3;  // of a window, a side; 2..5
     TapPlaces tap_places = TapPlaces::grid;
     hw::Dither dither{};
+    Receiver receiver = Receiver::point;
 };
 
 // Whether a lookup reads a window of taps x taps texels.

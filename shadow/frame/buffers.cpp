@@ -40,6 +40,7 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
         next += of_source.size();
         for (LightBuffers<Depth>& light : of_source) {
             light.map = {spec.xy_bits, carver.take<Depth>(pixels)};
+            light.second = {spec.xy_bits, carver.take<Depth>(shape.map_layers > 1 ? pixels : 0)};
             light.mask = planes(1);
         }
         LightBuffers<Depth>& first = of_source.front();
@@ -59,8 +60,9 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
 
 }  // namespace
 
-FrameShape::FrameShape(const Scene& scene)
-    : lights(scene.light_count), sources(scene.sources_used()), channels(scene.channels) {
+FrameShape::FrameShape(const Scene& scene, int layers)
+    : lights(scene.light_count), sources(scene.sources_used()), channels(scene.channels),
+      map_layers(layers) {
     fixed::require(scene.in_order(), "frame carved for too many lights");
     for (std::size_t s = 0; s < sources; ++s)
         lights_of[s] = static_cast<std::uint8_t>(scene.source(s).lights);

@@ -22,6 +22,7 @@ namespace umbra78::shadow {
 template <class Depth>
 struct LightBuffers {
     hw::FrameStore<Depth> map;      // the light's depth map; it has no intensity
+    hw::FrameStore<Depth> second;   // the second Z while it is drawn; empty if carved for one
     std::span<std::uint8_t> mask;   // the darkness, as the method wrote it
     // Of a source's first light alone:
     std::span<std::uint8_t> joined;    // the darkness of all its lights; of one light, `mask`
@@ -67,9 +68,11 @@ inline constexpr std::size_t frame_alignment = 64;
 struct FrameShape {
     std::size_t lights = 1, sources = 1, channels = 1;
     std::array<std::uint8_t, max_sources> lights_of{1};
+    int map_layers = 1;  // Z codes a texel while a map is drawn: shadow::map_layers(settings)
 
     FrameShape() = default;
-    explicit FrameShape(const Scene& scene);
+    explicit FrameShape(int layers) : map_layers(layers) {}
+    explicit FrameShape(const Scene& scene, int layers = 1);
     constexpr bool operator==(const FrameShape&) const = default;
 };
 
@@ -77,8 +80,8 @@ template <class Depth>
 std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches,
                         const FrameShape& shape = {});
 
-// `memory` has at least frame_bytes() bytes and is aligned to frame_alignment. Traps otherwise,
-// and for widths out of range.
+// `memory` has at least frame_bytes() bytes, aligned to frame_alignment. Traps otherwise, and for
+// widths out of range.
 template <class Depth>
 FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
                           std::size_t patches, const FrameShape& shape = {});

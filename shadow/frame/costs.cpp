@@ -1,5 +1,7 @@
 #include "shadow/frame/costs.hpp"
 
+#include "shadow/frame/bias_cost.hpp"
+
 #include <algorithm>
 
 namespace umbra78::shadow {
@@ -22,13 +24,15 @@ StageCycles points(std::uint64_t count, const Settings& s, bool affine, bool div
     return c;
 }
 
-// Control points through the unit, and the operations of all that follows.
+// Control points through the unit, the operations of all that follows, and `more`.
 StageCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix,
-                 const raster::DrawCounts& counts, bool shades, const FramePlan& plan) {
+                 const raster::DrawCounts& counts, bool shades, const FramePlan& plan,
+                 const hw::Operations& more) {
     const Settings& s = drawn.inputs.settings;
     StageCycles c = points(control_points * counts.subdivided() + vertices * counts.facets, s,
                            matrix.affine, matrix.affine && plan.unit_work().divide, plan);
     hw::Operations o = drawing_operations(drawn.inputs, matrix, counts, shades);
+    o += more;
     const raster::DrawCounts points_alone{.patches = counts.subdivided(), .facets = counts.facets};
     o.passes -= drawing_operations(drawn.inputs, matrix, points_alone, false).passes;
     c.operations = method_of(drawn.inputs).units(o, s);
@@ -52,7 +56,9 @@ public:
                                    ? copied
                                    : view(drawn_, in_.matrices.lights[l_].world_to_light,
                                           inside ? ledger_.light_inside : ledger_.light_counts,
-                                          !leaves_out(Omission::light_shading), plan_));
+                                          !leaves_out(Omission::light_shading), plan_,
+                                          map_operations(in_, inside ? ledger_.light_inside
+                                                                     : ledger_.light_counts)));
     }
     void test() {
         if (leaves_out(Omission::same_mask) || leaves_out(Omission::post_process)) return;
@@ -119,6 +125,9 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
                                  : plan.leaves_out(Omission::background_pixels) ? ledger.visible
                                                                                 : read;
     StageCycles c = points(tested, s, affine, !affine || plan.unit_work().divide, plan);
+    if (s.receiver == Receiver::plane)
+        c.operations = method_of(drawn.inputs)
+                           .units(ledger.visible * cost::receiver_plane, s);
     if (!plan.leaves_out(Omission::noise))
         c.noise = (when_drawn ? tested : read) *
                   word(hw::ClockedNoise::cycles_per_pixel(drawn_dither(s), s.timing));
@@ -161,7 +170,7 @@ FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn) {
             view(drawn, in.matrices.world_to_observer,
                  plan.leaves_out(Omission::outside_surfaces) ? l.observer_inside
                                                              : l.observer_counts,
-                 true, plan);
+                 true, plan, {});
     return cycles;
 }
 

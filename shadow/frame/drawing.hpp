@@ -4,6 +4,7 @@
 #include "shadow/frame/buffers.hpp"
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/plan.hpp"
+#include "shadow/midpoint.hpp"
 
 #include <cstdint>
 #include <span>
@@ -23,7 +24,8 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
         const LightBuffers<Depth>& light = frame.lights[l];
         fits = fits && light.map.xy_bits == m.xy_bits && light.map.depth.size() == pixels &&
-               light.mask.size() == pixels;
+               light.mask.size() == pixels &&
+               light.second.depth.size() >= (map_layers(in.settings) > 1 ? pixels : 0);
     }
     for (std::size_t s = 0; s < sources; ++s) {
         const LightBuffers<Depth>& first = frame.lights[in.scene.source(s).first_light];
@@ -79,17 +81,65 @@ inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan
                                                         : raster::Drawn::all};
 }
 
+// What of the surfaces casts light l's shadows, and how deep.
+inline raster::Casters casters_of(const FrameInputs& in, std::size_t l) {
+    const Settings& s = in.settings;
+    raster::Casters c;
+    if (s.map_depth == MapDepth::back) c.facing = raster::Facing::back;
+    c.slope_q8 = s.bias_slope_q8;
+    if (s.bias_clamp_q16 > 0)
+        c.limit = fixed::floor_shift(in.matrices.lights[l].clamp_quanta_q16,
+                                     16 - raster::depth_guard(s.machine));
+    return c;
+}
+
+// By how much light l's receivers' planes may change a depth, in quanta.
+inline std::int64_t plane_limit(const FrameInputs& in, std::size_t l) {
+    return in.settings.bias_clamp_q16 == 0
+               ? INT64_MAX
+               : fixed::floor_shift(in.matrices.lights[l].clamp_quanta_q16, 16);
+}
+
 // Draws into what the store holds; the sink decides whether a sample replaces what is there. What
 // is left out as hidden depends on the order; a batch of a stream has none.
 template <class Depth, class Sink>
 raster::DrawCounts draw_view(const FrameInputs& in, const FramePlan& plan, const raster::View& view,
                              const hw::MatrixWords& matrix, FrameBuffers<Depth>& frame,
-                             Sink& sink) {
+                             Sink& sink, const raster::Casters& casters = {}) {
+    raster::DrawSetup setup = draw_setup(in, plan, matrix);
+    setup.casters = casters;
     const std::span order =
         in.scene.streamed ? std::span<std::uint32_t>() : frame.order.first(in.scene.patches.size());
     if (!order.empty()) raster::order_front_to_back(in.scene.patches, view, order, frame.nearest);
-    return raster::draw(in.scene.surfaces(), order, draw_setup(in, plan, matrix), *frame.draw,
-                        sink);
+    return raster::draw(in.scene.surfaces(), order, setup, *frame.draw, sink);
+}
+
+// The same of light l's view. `sink` serves maps of one layer; with two the frame's own is used.
+template <class Depth, class Sink>
+raster::DrawCounts draw_map_view(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+                                 FrameBuffers<Depth>& frame, Sink& sink) {
+    const auto into = [&](auto& any) {
+        return draw_view(in, plan, in.scene.lights[l], in.matrices.lights[l].world_to_light, frame,
+                         any, casters_of(in, l));
+    };
+    if constexpr (hw::built(hw::Feature::surface_bias)) {
+        if (map_layers(in.settings) > 1) {
+            MidpointSink<Depth> both{frame.lights[l].map, frame.lights[l].second};
+            return into(both);
+        }
+    }
+    return into(sink);
+}
+
+// Before the first of a map's surfaces, and after the last.
+template <class Depth>
+void clear_map(const FrameInputs& in, LightBuffers<Depth>& light) {
+    light.map.clear(in.settings.machine);
+    if (map_layers(in.settings) > 1) light.second.clear(in.settings.machine);
+}
+template <class Depth>
+void finish_map(const FrameInputs& in, LightBuffers<Depth>& light) {
+    if (map_layers(in.settings) > 1) take_midpoints<Depth>(light.second.depth, light.map.depth);
 }
 
 // What the plain post-process does under a plan.

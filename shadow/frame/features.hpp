@@ -32,7 +32,9 @@ constexpr std::string_view missing_feature(const Scene& scene, const Settings& s
                {ap120b, s.arithmetic == Arithmetic::ap120b},
                {filters, s.dequantize_passes > 0 || s.low_pass_passes > 0},
                {z32, s.machine.z_bits > 16},
-               {lights, scene.light_count > 1 || scene.channels > 1}};
+               {lights, scene.light_count > 1 || scene.channels > 1},
+               {surface_bias, s.map_depth != MapDepth::first || s.bias_slope_q8 > 0 ||
+                                 s.receiver != Receiver::point}};
     for (const auto& [feature, asked_for] : all)
         if (asked_for && !hw::built(feature)) return hw::name_of(feature);
     return "";

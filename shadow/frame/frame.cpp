@@ -52,11 +52,11 @@ void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     }
     hw::FrameStore<Depth>& map = frame.lights[l].map;
     counts.lights[l].map = {};
-    map.clear(in.settings.machine);
+    clear_map(in, frame.lights[l]);
     if (plan.leaves_out(Omission::light_map, l)) return;
     const auto into = [&](auto sink) {
-        counts.lights[l].map = draw_view(in, plan, in.scene.lights[l],
-                                         in.matrices.lights[l].world_to_light, frame, sink);
+        counts.lights[l].map = draw_map_view(in, plan, l, frame, sink);
+        finish_map(in, frame.lights[l]);
     };
     if (plan.leaves_out(Omission::light_shading, l)) {
         into(raster::DepthSink<Depth>{map});

@@ -16,7 +16,9 @@ FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settin
     if (raster::load_view(light, spec, out.object, m.world_to_light) != hw::LoadStatus::ok)
         return light_matrix;
     if (!bias_in_quanta(settings.bias_q16, settings.bias_unit, bias_units(light, spec),
-                        m.bias_quanta_q16))
+                        m.bias_quanta_q16) ||
+        !bias_in_quanta(settings.bias_clamp_q16, settings.bias_unit, bias_units(light, spec),
+                        m.clamp_quanta_q16))
         return bias_out_of_range;
     const hw::RationalMatrix exact =
         raster::observer_to_light(scene.observer, light, spec, m.bias_quanta_q16);

@@ -72,6 +72,7 @@ enum class FrameStatus : std::uint8_t {
 struct LightMatrices {
     hw::MatrixWords world_to_light, observer_to_light;
     std::int64_t bias_quanta_q16;
+    std::int64_t clamp_quanta_q16;  // bias_clamp's
     hw::ap120b::Matrix array;  // observer to light in the AP-120B's words; 0 on the fixed machine
 };
 

@@ -1,6 +1,7 @@
 #include "shadow/frame/ledger.hpp"
 
 #include "raster/drawing_cost.hpp"
+#include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/drawing.hpp"
 #include "shadow/frame/filter_cost.hpp"
 #include "shadow/lines.hpp"
@@ -26,10 +27,16 @@ PhaseLedger phase(const hw::Operations& o, const FrameInputs& in) {
 // drawing of the frame counted; of a stream, it is all that there is to count.
 PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
                     const raster::DrawCounts& drawn, raster::DrawMemory& memory, bool shades,
-                    raster::DrawCounts& counts, raster::DrawCounts& inside) {
+                    const raster::Casters& casters, raster::DrawCounts& counts,
+                    raster::DrawCounts& inside) {
+    const auto operations = [&] {
+        hw::Operations o = drawing_operations(in, matrix, counts, shades);
+        if (!shades) o += map_operations(in, counts);
+        return phase(o, in);
+    };
     if (in.scene.streamed) {
         inside = counts = drawn;
-        return phase(drawing_operations(in, matrix, counts, shades), in);
+        return operations();
     }
     CountingSink sink;
     raster::DrawSetup setup{in.settings.machine,     matrix,
@@ -37,11 +44,12 @@ PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
                             in.scene.materials,      {},
                             in.settings.surface,     in.settings.dice_levels,
                             dice_tolerance(in),      in.settings.facing};
+    setup.casters = casters;
     setup.drawn = raster::Drawn::inside;
     inside = counts = raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
     setup.drawn = raster::Drawn::outside;
     counts += raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
-    return phase(drawing_operations(in, matrix, counts, shades), in);
+    return operations();
 }
 
 void name_stages(PostProcessLedger& l, const PostProcessPipeline& plan) {
@@ -147,6 +155,16 @@ hw::Operations drawing_operations(const FrameInputs& in, const hw::MatrixWords& 
                                       in.settings.sampling, shades, sample_cost(in.scene));
 }
 
+hw::Operations map_operations(const FrameInputs& in, const raster::DrawCounts& counts) {
+    const Settings& s = in.settings;
+    hw::Operations o{};
+    if (s.bias_slope_q8 > 0) o += raster::slope_operations(counts);
+    if (map_layers(s) > 1)
+        o += counts.samples * cost::second_sample +
+             (std::uint64_t{1} << (2 * s.machine.xy_bits)) * cost::midpoint_texel;
+    return o;
+}
+
 namespace {
 
 FilteredLines lines_near_shadow(std::span<const std::uint8_t> mask, const Settings& s) {
@@ -208,14 +226,14 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
     const Method& method = method_of(in);
     FrameLedger l;
     l.light = drawing(in, in.matrices.lights[light].world_to_light, counts.lights[light].map,
-                      *frame.draw, false, l.light_counts, l.light_inside);
+                      *frame.draw, false, casters_of(in, light), l.light_counts, l.light_inside);
     if (other != nullptr) {
         l.observer = other->observer;
         l.observer_counts = other->observer_counts;
         l.observer_inside = other->observer_inside;
     } else {
         l.observer = drawing(in, in.matrices.world_to_observer, counts.observer, *frame.draw, true,
-                             l.observer_counts, l.observer_inside);
+                             {}, l.observer_counts, l.observer_inside);
     }
     const auto none = static_cast<Depth>(s.machine.background());
     l.visible = pixels - static_cast<std::uint64_t>(std::count(

@@ -107,6 +107,9 @@ struct FrameLedger {
 hw::Operations drawing_operations(const FrameInputs&, const hw::MatrixWords& view,
                                   const raster::DrawCounts&, bool shades);
 
+// What map_depth and bias_slope add to the drawing of a light's view with these counts.
+hw::Operations map_operations(const FrameInputs&, const raster::DrawCounts&);
+
 // Of a frame that is done. Draws the light's view and the observer's once more, to count, with
 // nothing hidden and nothing stored: cycles must not depend on the order of the patches. A stream
 // is drawn with nothing hidden, and its counts are taken as they are. `other`: another light's

@@ -2,6 +2,7 @@
 
 #include "shadow/ap120b/post_process.hpp"
 #include "shadow/correct_form.hpp"
+#include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/costs.hpp"
 #include "shadow/frame/drawing.hpp"
 
@@ -34,7 +35,8 @@ void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t
             return;
         }
     }
-    counted = post_process(frame.maps(l), matrix, in.settings, work_of(plan), light.mask);
+    counted = post_process(frame.maps(l), matrix, in.settings, work_of(plan), light.mask,
+                           plane_limit(in, l));
 }
 
 // The schedule of the observer's visible pixels through the clocked stages.
@@ -42,6 +44,10 @@ template <class Depth>
 void cost_of_post_process(const FrameInputs& in, std::size_t l, const FrameBuffers<Depth>& frame,
                           const FrameCounts&, FrameLedger& ledger) {
     const PostProcessPipeline pipeline(in.settings, in.matrices.lights[l].observer_to_light);
+    if (in.settings.receiver == Receiver::plane) {
+        ledger.test.operations += ledger.visible * cost::receiver_plane;
+        ledger.test.units = fixed_units(ledger.test.operations, in.settings);
+    }
     ledger.post_process = closed_form(
         schedule<Depth>(frame.observer.depth, in.settings.machine.background(),
                         pipeline.read_cycles, pipeline.slot_cycles),
@@ -162,6 +168,7 @@ constexpr Method post_process_method{
     .plane = ExtraPlane::none,
     .darkness = Darkness::binary,
     .may_run_out = false,
+    .takes_plane = built(Feature::surface_bias),
     .uses_transform_unit = true,
     .trace = Trace::clocked_post_process,
     .no_trace = "",
@@ -176,7 +183,9 @@ constexpr Method post_process_method{
 constexpr Method with_shares(Method method) {
     method.name = "percentage";
     method.meaning = "by percentage closer filtering (Reeves, Salesin & Cook 1987)";
-    method.cannot = "no edge to dequantize; no correct form: no sample is shaded by a share";
+    method.cannot = "no edge to dequantize, no receiver's plane, and no correct form: no sample is "
+                    "shaded by a share";
+    method.takes_plane = false;
     method.lookups = graded_lookups;
     method.darkness = Darkness::graded;
     return method;
@@ -196,6 +205,7 @@ constexpr Method correct_method{
     .plane = ExtraPlane::none,
     .darkness = Darkness::binary,
     .may_run_out = false,
+    .takes_plane = false,
     .uses_transform_unit = true,
     .trace = Trace::none,
     .no_trace = "the correct form has no post-process to watch; give --set form=post_process",
@@ -221,6 +231,7 @@ constexpr Method array_method{
     .plane = ExtraPlane::none,
     .darkness = Darkness::binary,
     .may_run_out = false,
+    .takes_plane = false,
     .uses_transform_unit = false,
     .trace = Trace::none,
     .no_trace = "only the fixed-point machine can be watched; give --set arithmetic=fixed",
@@ -269,7 +280,10 @@ const Method& method_of(const FrameInputs& in) {
 bool method_can(const Settings& settings) {
     const Method* method = method_of(settings);
     return method != nullptr && settings.machine.z_bits <= method->max_z_bits &&
-           window_in_range(settings);
+           window_in_range(settings) &&
+
+           (settings.receiver == Receiver::point ||
+            (method->takes_plane && !has_window(settings.lookup)));
 }
 
 }  // namespace umbra78::shadow

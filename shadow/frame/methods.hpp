@@ -60,6 +60,7 @@ struct Method {
     ExtraPlane plane;
     Darkness darkness;
     bool may_run_out;             // of FrameBuffers::method_memory; LightCounts::capacity says so
+    bool takes_plane;             // receiver = plane
     bool uses_transform_unit;     // so that the width of the coefficients changes bits and cycles
     Trace trace;
     std::string_view no_trace;    // why there is none, and the remedy

@@ -1,6 +1,7 @@
 #include "shadow/frame/plan.hpp"
 
 #include "shadow/frame/culling.hpp"
+#include "shadow/frame/drawing.hpp"
 #include "shadow/frame/methods.hpp"
 #include "shadow/frame/reuse.hpp"
 
@@ -54,7 +55,10 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     plan.at(Omission::light_map, l) = no_map ? left_out(no_caster) : needed(may_shadow);
     // Equal words draw equal Z, whatever the views that they come from.
     const bool same = now.matrices.lights[l].world_to_light == now.matrices.world_to_observer;
-    plan.at(Omission::light_drawing, l) = !same ? needed(other_view)
+    const bool nearest =
+        map_layers(now.settings) == 1 && casters_of(now, l).all_alike();
+    plan.at(Omission::light_drawing, l) = !same      ? needed(other_view)
+                                          : !nearest ? needed(other_map)
                                           : method_of(now).tests_when_drawn()
                                               ? needed(tested_when_drawn)
                                               : left_out(same_view);

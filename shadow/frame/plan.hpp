@@ -92,6 +92,7 @@ enum class Reason : std::uint8_t {
     changed,              // something that it is made from has changed
     no_frame_before,
     other_view,           // the light's matrix has other words than the observer's
+    other_map,            // the light's map keeps other depths than the nearest
     none_outside,         // every surface may have samples in both views
     not_held,             // the surfaces come batch by batch, and are not known beforehand
     none,                 // FramePlan{}: nothing is left out

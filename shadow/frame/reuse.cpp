@@ -42,6 +42,13 @@ bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
            same_places(a.scene.mesh, b.scene.mesh);
 }
 
+// What the light's map keeps of its drawing.
+bool same_map(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
+    const raster::Casters c = casters_of(a, l), d = casters_of(b, l);
+    return a.settings.map_depth == b.settings.map_depth && c.slope_q8 == d.slope_q8 &&
+           (c.slope_q8 == 0 || c.limit == d.limit);
+}
+
 bool same_surfaces(const FrameInputs& a, const FrameInputs& b) {
     const auto equal = [](const auto& p, const auto& q, auto&& alike) {
         return std::equal(p.begin(), p.end(), q.begin(), q.end(), alike);
@@ -96,7 +103,8 @@ bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
            (m.observer_to_light.affine || s.machine.divide_order == t.machine.divide_order) &&
            s.registration == t.registration && s.lookup == t.lookup &&
            (!bilinear || s.background == t.background) && same_window(s, t) &&
-           same_dither(s, t);
+           same_dither(s, t) && s.receiver == t.receiver &&
+           (s.receiver == Receiver::point || plane_limit(a, l) == plane_limit(b, l));
 }
 
 bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) {
@@ -119,8 +127,9 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
                  when_drawn == method_of(before).tests_when_drawn();
     bool masks = true;
     for (std::size_t l = 0; l < now.scene.light_count; ++l) {
-        r.light_map[l] = drawing && before.matrices.lights[l].world_to_light ==
-                                      now.matrices.lights[l].world_to_light;
+        r.light_map[l] = drawing && same_map(before, now, l) &&
+                         before.matrices.lights[l].world_to_light ==
+                             now.matrices.lights[l].world_to_light;
         r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
         masks = masks && r.mask[l];
     }

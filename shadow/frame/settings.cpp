@@ -24,6 +24,8 @@ constexpr std::array<std::string_view, 4> lookup_names{"nearest", "bilinear", "p
 constexpr std::array<std::string_view, 2> tap_places_names{"grid", "jittered"};
 constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"};
 constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
+constexpr std::array<std::string_view, 3> map_depth_names{"first", "back", "midpoint"};
+constexpr std::array<std::string_view, 2> receiver_names{"point", "plane"};
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
                                                        "normal"};
 constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
@@ -109,6 +111,18 @@ constexpr std::array table{
     choice<UMBRA78_ACCESS(bias_unit)>(
         "bias_unit", bias_unit_names,
         "light-map Z quanta, light-map texels, or world units (both measured at the target)"),
+    choice<UMBRA78_ACCESS(map_depth)>(
+        "map_depth", map_depth_names,
+        "the light's map: nearest Z, nearest that faces away, or half way between the first two"),
+    decimal<UMBRA78_ACCESS(bias_slope_q8)>(
+        "bias_slope", "texels", 0, 64 << 8, 8,
+        "of a caster's slope in the light's view, added to its Z in the light's map"),
+    decimal<UMBRA78_ACCESS(bias_clamp_q16)>(
+        "bias_clamp", "bias_unit", 0, std::int64_t{1} << 40, 16,
+        "the most that follows a slope; 0: no limit"),
+    choice<UMBRA78_ACCESS(receiver)>(
+        "receiver", receiver_names,
+        "the depth compared: the pixel's, or its tangent plane's where the map is sampled"),
     choice<UMBRA78_ACCESS(dither.shape)>(
         "dither", dither_names,
         "noise on the light's X and Y: the sum of 0, 1, 2, 4 or 12 uniform bytes"),

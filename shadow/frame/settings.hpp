@@ -23,6 +23,10 @@ enum class Form : std::uint8_t { post_process, correct };
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
 enum class Arithmetic : std::uint8_t { fixed, ap120b };
 
+// What the light's map keeps of a texel's samples: the nearest; the nearest of those that face away
+// from the light; or half way between the two nearest (shadow/midpoint.hpp).
+enum class MapDepth : std::uint8_t { first, back, midpoint };
+
 // What the shadow test reads (machine, timing, registration, lookup, background, taps, tap_places,
 // dither) is the base class; the members here are what the other stages of a frame read.
 struct Settings : TimedTest {
@@ -32,6 +36,9 @@ struct Settings : TimedTest {
     raster::Sampling sampling = raster::Sampling::centre;
     std::int64_t bias_q16 = 64 << 16;  // in bias_unit, Q.16
     BiasUnit bias_unit = BiasUnit::quanta;
+    MapDepth map_depth = MapDepth::first;
+    std::int32_t bias_slope_q8 = 0;   // texels of a caster's slope, added to its Z; Q.8
+    std::int64_t bias_clamp_q16 = 0;  // of what follows a slope, at most; in bias_unit; 0: none
     std::int32_t dequantize_passes = 0;  // 1-2-1 averages along the edge chain; 0: off
     std::int32_t low_pass_passes = 0;    // 3 x 3 binomial; 0: off
     std::int32_t ambient_q8 = 77;        // 0..256
@@ -63,5 +70,8 @@ const Setting* find_setting(std::string_view key);
 // Whether a machine can be built with these settings: the machine's widths, the parts' times, and a
 // method that can do what they ask (shadow/frame/methods.hpp).
 bool can_be_built(const Settings& settings);
+
+// Z codes a texel that are kept while the light's map is drawn.
+constexpr int map_layers(const Settings& s) { return s.map_depth == MapDepth::midpoint ? 2 : 1; }
 
 }  // namespace umbra78::shadow

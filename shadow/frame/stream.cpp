@@ -20,7 +20,7 @@ template <class Depth>
 void clear(const FrameInputs& in, FrameBuffers<Depth>& frame) {
     frame.observer.clear(in.settings.machine);
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
-        frame.lights[l].map.clear(in.settings.machine);
+        clear_map(in, frame.lights[l]);
         std::ranges::fill(frame.lights[l].mask, mask_lit);
     }
 }
@@ -30,8 +30,7 @@ void draw_lights(const FrameInputs& part, const FramePlan& plan, FrameBuffers<De
                  FrameCounts& counts) {
     for (std::size_t l = 0; l < part.scene.light_count; ++l) {
         raster::DepthSink<Depth> sink{frame.lights[l].map};
-        counts.lights[l].map += draw_view(part, plan, part.scene.lights[l],
-                                          part.matrices.lights[l].world_to_light, frame, sink);
+        counts.lights[l].map += draw_map_view(part, plan, l, frame, sink);
     }
 }
 
@@ -60,7 +59,7 @@ StreamStatus run(Pass pass, const FrameInputs& in, const FramePlan& plan,
     raster::Surfaces batch;
     while (true) {
         const Next next = source.next(batch);
-        if (next == Next::end) return StreamStatus::ok;
+        if (next == Next::end) break;
         if (next == Next::failed) return StreamStatus::source_failed;
         raster::Box box;
         batch.for_points([&](const raster::World& p) { box.add(p); });
@@ -70,6 +69,9 @@ StreamStatus run(Pass pass, const FrameInputs& in, const FramePlan& plan,
         if (pass.lights) draw_lights(part, plan, frame, counts);
         if (pass.observer) draw_picture(part, plan, frame, counts);
     }
+    for (std::size_t l = 0; pass.lights && l < in.scene.light_count; ++l)
+        finish_map(in, frame.lights[l]);
+    return StreamStatus::ok;
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ TEST(Dice, DrawsWhatSubdivisionDraws) {
     EXPECT_GT(counts.facets, 1000u);
     EXPECT_EQ(counts.blocks, 0u);
     const DrawCounts fronts = front.draw(patches, view, Sampling::centre, &light);
-    EXPECT_GT(fronts.back_triangles, counts.facets / 3);
+    EXPECT_GT(fronts.turned_triangles, counts.facets / 3);
     EXPECT_EQ(front.depth(), diced.depth());  // closed surfaces hide their backs
     EXPECT_EQ(front.intensity(), diced.intensity());
     int both = 0, apart = 0, off = 0;

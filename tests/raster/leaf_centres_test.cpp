@@ -22,7 +22,8 @@ namespace umbra78::raster {
 
 std::ostream& operator<<(std::ostream& out, const Sample& s) {
     return out << "pixel " << s.px << ", " << s.py << " at " << s.x << ", " << s.y << " depth "
-               << s.z << " of leaf " << s.leaf_i << ", " << s.leaf_j;
+               << s.z << " of leaf " << s.leaf_i << ", " << s.leaf_j
+               << (s.second ? ", second triangle" : "");
 }
 
 namespace {
@@ -33,7 +34,9 @@ using umbra78::test::expect_equal_buffers;
 using umbra78::test::Patches;
 using umbra78::test::Drawing;
 
-auto words(const Sample& s) { return std::tuple(s.leaf_j, s.leaf_i, s.py, s.px, s.z, s.x, s.y); }
+auto words(const Sample& s) {
+    return std::tuple(s.leaf_j, s.leaf_i, s.py, s.px, s.z, s.x, s.y, s.second);
+}
 
 bool steps_back(const Corners& g, const hw::MachineSpec& spec) {
     detail::LeafCentres found;

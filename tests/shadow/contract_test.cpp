@@ -177,6 +177,19 @@ TEST(Contract, TheRowFormRunsWhatItCovers) {
     EXPECT_DEATH(rows.run(wide), why);
 }
 
+// The receiver's plane is the plain post-process's alone.
+TEST(Contract, PlanesAreRefusedWhereNoNeighboursAreRead) {
+    const auto wants_plane = [](Inputs& i) { i.s.receiver = Receiver::plane; };
+    expect_trap(passes()[1], "the row form does not cover these settings", wants_plane);
+    expect_trap(passes()[2], "it takes no receiver's plane", wants_plane);
+    expect_trap(passes()[3], "it has no stage for the receiver's plane", wants_plane);
+    expect_trap(passes()[5], "has no neighbours for a plane", wants_plane);
+    Inputs inputs;
+    wants_plane(inputs);
+    passes()[0].run(inputs);
+    EXPECT_EQ(inputs.mask, std::vector<std::uint8_t>(256, mask_lit));
+}
+
 TEST(Contract, TheAp120bsHostSendsSixteenBits) {
     OwnedStore<Depth32> observer(4), light(4);
     std::vector<std::uint8_t> mask(256);

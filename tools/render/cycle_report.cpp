@@ -71,11 +71,13 @@ std::string print_frame(const FrameLedger& l, int clock_ns) {
                             u.side_by_side() > 0 ? u.busiest() : "left out");
     };
     for (const auto& [name, phase] : phases(l)) {
-        if (phase == &l.dequantize)
+        if (phase == &l.dequantize) {
             text += fmt::format("{:<16}{:>48}{:>14}{:>18}{:>11.2f}  {}\n", "transformation",
                                 l.on_array ? "AP-120B, see below" : "clocked, see below",
                                 l.transformation(true), l.transformation(false),
                                 simulated_ms(l.transformation(true), clock_ns), l.bottleneck());
+            if (l.test.units.side_by_side() > 0) row("  its operations", l.test);
+        }
         row(name, *phase);
     }
     text += fmt::format("{:<16}{:>62}{:>18}{:>11.2f}\n", "frame", l.total(true), l.total(false),
@@ -127,7 +129,7 @@ ordered_json to_json(const FrameLedger& l, int clock_ns) {
 FrameLedger of_figure(FrameLedger l, int figure) {
     if (figure == 1) l.light = {};
     if (figure == 2) l.observer = {};
-    if (figure < 3) l.post_process = {}, l.array = {};
+    if (figure < 3) l.post_process = {}, l.array = {}, l.test = {};
     if (figure < 5) l.dequantize = l.low_pass = {};
     if (figure < 6) l.composite = {};
     return l;

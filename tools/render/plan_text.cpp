@@ -80,6 +80,7 @@ std::string_view explain(Reason reason) {
         case Reason::asked_for: return "a setting asks for it";
         case Reason::changed: return "something that it is made from has changed";
         case Reason::no_frame_before: return "there is no frame before it";
+        case Reason::other_map: return "the light's map keeps other depths than the nearest";
         case Reason::other_view: return "light and observer see different things";
         case Reason::none_outside: return "every surface may lie in both views";
         case Reason::not_held: return "the surfaces are a stream, not known beforehand";

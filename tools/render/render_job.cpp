@@ -35,7 +35,8 @@ template <class Depth>
 void RenderJob::allocate() {
     const hw::MachineSpec& machine = settings().machine;
     patches_ = inputs_.scene.patches.size();
-    const shadow::FrameShape shape(inputs_.scene);
+    layers_ = shadow::map_layers(settings());
+    const shadow::FrameShape shape(inputs_.scene, layers_);
     bytes_ = shadow::frame_bytes<Depth>(machine, patches_, shape);
     memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
     frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, shape);
@@ -59,6 +60,9 @@ void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings&
                                      now.xy_bits, now.z_bits, next.xy_bits, next.z_bits));
     if (shadow::FrameShape(scene) != shadow::FrameShape(inputs_.scene))
         throw SceneError("this frame was made for other lights, or in grey: make another");
+    if (shadow::map_layers(settings) > layers_)
+        throw SceneError("this frame was made for one depth a texel of the light's map: for "
+                         "map_depth=midpoint make another");
     if (scene.patches.size() > patches_)
         throw SceneError(fmt::format("this frame was made for {} patches: for {} make another",
                                      patches_, scene.patches.size()));

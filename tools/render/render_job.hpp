@@ -126,6 +126,7 @@ private:
     shadow::FrameCounts counts_{};
     StageTimes times_{};
     std::size_t bytes_ = 0, patches_ = 0;  // that the memory was carved for
+    int layers_ = 1;                       // of the light's map, likewise
     std::unique_ptr<std::byte[], Free> memory_;
     std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;
 };

@@ -1,5 +1,6 @@
 #include "tools/scene/checks.hpp"
 
+#include "tools/scene/open_surfaces.hpp"
 #include "tools/scene/table_reader.hpp"
 #include "tools/scene/view_fit.hpp"
 #include "tools/scene/view_keys.hpp"
@@ -98,6 +99,19 @@ void warn_of_light(const LoadedScene& scene, const raster::View& light, const st
     warn_of_depths(scene, light, name, loses_shadow, warnings);
 }
 
+// A sheet has no back face where its front faces the light.
+void warn_of_open_surfaces(const LoadedScene& scene, Warnings& warnings) {
+    if (scene.settings.map_depth != shadow::MapDepth::back) return;
+    const std::uint64_t open = open_surfaces(scene.surfaces());
+    if (open > 0)
+        warnings.push_back(
+            {"open_surfaces", static_cast<double>(open),
+             fmt::format("{} of {} {} have an open border, and with map_depth = back they cast no "
+                         "shadow where their front faces the light; close them, or set "
+                         "map_depth = midpoint",
+                         open, scene.surfaces().count(), kinds_of_surfaces(scene))});
+}
+
 void warn_of_observer(const LoadedScene& scene, Warnings& warnings) {
     const std::size_t before = warnings.size();
     warn_of_depths(scene, scene.observer, "observer", loses_sight, warnings);
@@ -151,6 +165,7 @@ Warnings warnings_of(const LoadedScene& scene) {
         for (std::size_t l = 0; l < scene.lights.size(); ++l)
             warn_of_light(scene, scene.lights[l].view, name_of_light(l, scene.lights.size()),
                           warnings);
+        warn_of_open_surfaces(scene, warnings);
         warn_of_observer(scene, warnings);
         warn_of_words(scene, warnings);
     }

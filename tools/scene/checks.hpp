@@ -15,6 +15,7 @@ void check_matrices(const LoadedScene&, FirstError&);
 //   empty            nothing to draw
 //   light_window     patches that reach out of the light's picture
 //   near_plane       patches that a view's near cuts in its window; far_plane: its far
+//   open_surfaces    patches and facets with an open border, where the light's map is of backs
 //   observer_window  all patches reach out of the picture
 //   object_words, view_matrix, shadow_matrix, depth_order, bias   see word_checks.hpp
 // What is known only once the frame is drawn is in tools/render/frame_warnings.hpp.

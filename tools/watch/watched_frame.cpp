@@ -31,6 +31,9 @@ WatchedFrame::WatchedFrame(const RenderJob& job)
     const shadow::Method& method = shadow::method_of(job.inputs());
     if (method.trace != shadow::Trace::clocked_post_process)
         throw SceneError(std::string(method.no_trace));
+    if (job.settings().receiver != shadow::Receiver::point)
+        throw SceneError("the clocked machine has no stage for the receiver's plane; give --set "
+                         "receiver=point");
     const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
     std::copy(drawn.begin(), drawn.end(), intensity_.begin());
     const std::span<const std::uint8_t> direct = job.bytes(Plane::direct);

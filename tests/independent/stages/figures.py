@@ -171,9 +171,13 @@ class Frame:
         if s.form == "correct":
             self.make_observer_z()
             return
-        make = array_mask if s.arithmetic == "ap120b" else post_process
-        self.made["mask" + number] = make(self.observer_z, self.of_light("light_z", light),
-                                          self.matrix(light), s, dither_words(s))
+        given = (self.observer_z, self.of_light("light_z", light), self.matrix(light), s,
+                 dither_words(s))
+        if s.arithmetic == "ap120b":
+            self.made["mask" + number] = array_mask(*given)
+            return
+        clamp = self.lights[light].bias_quanta(s.bias_clamp, s.bias_unit, s)
+        self.made["mask" + number] = post_process(*given, clamp >> 16 if s.bias_clamp else None)
 
     def visible(self):
         return [code != self.s.background_code for code in self.observer_z]

@@ -73,7 +73,7 @@ def first_and_last(grid, s):
 
 
 def centre_samples(grids, s):
-    """(px, py, x, y, Z, i, j) of a block's samples, leaf by leaf"""
+    """(px, py, x, y, Z, i, j) of a block's samples, and of which triangle; leaf by leaf"""
     x, y, z = grids
     (x0, x1), (y0, y1) = first_and_last(x, s), first_and_last(y, s)
     for j in range(16):
@@ -86,10 +86,10 @@ def centre_samples(grids, s):
                 cy = (2 * (py - s.half_px) + 1) * 4096
                 for px in range(x0[i][j], x1[i][j] + 1):
                     cx = (2 * (px - s.half_px) + 1) * 4096
-                    for triangle in ((p00, p10, p11), (p00, p11, p01)):
+                    for k, triangle in enumerate(((p00, p10, p11), (p00, p11, p01))):
                         depth = triangle_depth(*triangle, cx, cy)
                         if depth is not None:
-                            yield px, py, cx, cy, depth, i, j
+                            yield (px, py, cx, cy, depth, i, j), k
 
 
 def leaf_samples(grids, s):
@@ -100,7 +100,7 @@ def leaf_samples(grids, s):
                        for g in grids)
             px, py = (x + half) >> 13, (y + half) >> 13
             if 0 <= px < s.size_px and 0 <= py < s.size_px:
-                yield px, py, x, y, z, i, j
+                yield (px, py, x, y, z, i, j), None
 
 
 def samples(grids, s):

@@ -4,7 +4,8 @@ from fractions import Fraction
 
 from .notation import ROUNDINGS, half_even
 
-FRACTION = {"ambient": 8, "density": 8, "dither_size": 8, "bias": 16}  # others are whole
+FRACTION = {"ambient": 8, "density": 8, "dither_size": 8, "bias": 16,  # others are whole
+            "bias_slope": 8, "bias_clamp": 16}
 HW = pathlib.Path(__file__).parent / "../../../hw"
 
 

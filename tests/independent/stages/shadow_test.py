@@ -1,6 +1,7 @@
 """The post-process and the correct form (sections 11 and 12)."""
 from .noise import tap_bytes
 from .notation import half_up, shift_down
+from .receiver import Receivers
 from .transform_unit import ScreenUnit
 
 
@@ -21,12 +22,15 @@ class LightMap:
             return self.codes[b * self.s.size_px + a]
         return self.s.background_code
 
-    def nearest(self, x, y, code):
+    def nearest(self, x, y, code, plane):
         s = self.s
-        return code > self.texel((x >> s.fraction_bits) + s.half_px,
-                                 (y >> s.fraction_bits) + s.half_px)
+        tx, ty = (x >> s.fraction_bits) + s.half_px, (y >> s.fraction_bits) + s.half_px
+        if plane:
+            code += plane.change(*(2 * s.one_texel * (t - s.half_px) + s.one_texel
+                                   for t in (tx, ty)))
+        return code > self.texel(tx, ty)
 
-    def bilinear(self, x, y, code):
+    def bilinear(self, x, y, code, plane):
         s, q = self.s, self.s.one_texel
         cx, cy = x - q // 2, y - q // 2
         tx, ty = (cx >> s.fraction_bits) + s.half_px, (cy >> s.fraction_bits) + s.half_px
@@ -34,7 +38,9 @@ class LightMap:
         four = (self.texel(tx, ty), self.texel(tx + 1, ty),
                 self.texel(tx, ty + 1), self.texel(tx + 1, ty + 1))
         if s.background == "fall_back" and s.background_code in four:
-            return self.nearest(x, y, code)
+            return self.nearest(x, y, code, plane)
+        if plane:
+            code += plane.change(2 * x, 2 * y)
         return code * q * q > ((q - fy) * ((q - fx) * four[0] + fx * four[1])
                                + fy * ((q - fx) * four[2] + fx * four[3]))
 
@@ -51,7 +57,7 @@ class LightMap:
             places = [(texel(x, t % k, u), texel(y, t // k, v)) for t, (u, v) in enumerate(noise)]
         return [self.texel(*place) for place in places]
 
-    def darkness(self, point, dither, noise=None):
+    def darkness(self, point, dither, noise=None, plane=None):
         """Steps 1 to 8 for the unit's results (None: a status), a pixel's dither words and its
         taps' bytes (None: a grid)."""
         s = self.s
@@ -67,18 +73,25 @@ class LightMap:
                 return half_up(255 * sum(code > z for z in codes), len(codes))
             return 255 * (code * len(codes) > sum(codes))
         if s.lookup == "bilinear" and s.fraction_bits > 0:
-            return 255 * self.bilinear(x, y, code)
-        return 255 * self.nearest(x, y, code)
+            return 255 * self.bilinear(x, y, code, plane)
+        return 255 * self.nearest(x, y, code, plane)
 
 
-def post_process(observer_z, light_z, matrix, s, dither):
+def post_process(observer_z, light_z, matrix, s, dither, limit=None):
+    """`limit` is the receiver's plane's, None for none."""
     unit, light_map, mask = ScreenUnit(matrix, s), LightMap(light_z, s), [0] * len(observer_z)
     noise = tap_bytes(s)
+
+    def unit_at(px, py, code):
+        return unit(*pixel_words(px, py, code, s))
+    planes = Receivers(observer_z, unit_at, limit, s)
     for p, code in enumerate(observer_z):
         if code != s.background_code:
-            point = unit(*pixel_words(p % s.size_px, p // s.size_px, code, s))
+            px, py = p % s.size_px, p // s.size_px
+            point = unit_at(px, py, code)
+            plane = planes.plane(px, py, point) if s.receiver == "plane" else None
             mask[p] = light_map.darkness(point, dither[p] if dither else (0, 0),
-                                         noise[p] if noise else None)
+                                         noise[p] if noise else None, plane)
     return mask
 
 

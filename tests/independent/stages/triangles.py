@@ -56,7 +56,7 @@ def vertices(points, normals, loaded, s):
             for place, point, normal in zip(zip(*screen), points, normals or [(0, 0, 0)] * 3)]
 
 
-def triangles(facet, affine, s):
+def triangles(facet, affine, s, facing):
     """A facet's triangles of three corners, clockwise, or None if it has to be dropped."""
     left = within_guard_band(facet, affine, s)
     if len(left) < 3:
@@ -67,7 +67,7 @@ def triangles(facet, affine, s):
             return None
         xyz = zip(*(grid[0] for grid in divided))
         left = [(*corner, *vertex[3:]) for corner, vertex in zip(xyz, left)]
-    fan = (clockwise(left[0], b, c, s.facing) for b, c in zip(left[1:], left[2:]))
+    fan = (clockwise(left[0], b, c, facing) for b, c in zip(left[1:], left[2:]))
     return [triangle for triangle in fan if triangle]
 
 
@@ -78,7 +78,8 @@ def cross(p, q, r):
 def clockwise(a, b, c, facing="both"):
     """The corners, b and c exchanged if the area is negative; None if nothing is drawn."""
     area = cross(a, b, c)
-    if area == 0 or (area > 0 and facing == "front"):  # front is of section 22
+    side = "back" if area > 0 else "front"  # section 22
+    if area == 0 or facing not in ("both", side):
         return None
     return (a, b, c) if area > 0 else (a, c, b)
 

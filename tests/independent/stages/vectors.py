@@ -2,9 +2,11 @@
 import pathlib
 
 from . import blocks, perspective
+from .bias import Layers, moved_code, offset, slope
 from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits, taps_of_pixel
+from .receiver import Plane, Receivers, gradient
 from .samples import leaf_corners, triangle_depth, z_code
 from .settings import Settings
 from .shading import Shading, Toward, at_leaf, corner_normals, unit14
@@ -265,10 +267,44 @@ def composite(w):
     return [darken(*(int(x) for x in w))]
 
 
+def bias(w):
+    kind = w.pop(0)
+    if kind == "offset":
+        factor, limit = int(w.pop(0)), w.pop(0)
+        of = slope(*triples(take(w, 9)))
+        return [of, offset([of], factor, None if limit == "none" else int(limit))]
+    if kind == "moved":
+        z_bits, depth, more = take(w, 3)
+        code = moved_code(depth, more, Settings(z_bits=z_bits))
+        return ["none" if code is None else code]
+    if kind == "plane":
+        limit, numbers = w.pop(0), take(w, 11)
+        at, beside, below = triples(numbers[:9])
+        steps = [[b - a for a, b in zip(at, p)] for p in (beside, below)]
+        slopes = gradient(*steps) or (0, 0)
+        plane = Plane(at, slopes, None if limit == "none" else int(limit))
+        return [*slopes, plane.change(*numbers[9:])]
+    if kind == "neighbour":
+        s = Settings(xy_bits=4)
+        codes = [s.background_code] * 256
+        px, py, dx, dy, left, own, right = take(w, 7)
+        for k, code in ((-1, left), (0, own), (1, right)):
+            x, y = px + k * dx, py + k * dy
+            if 0 <= x < 16 and 0 <= y < 16 and code >= 0:
+                codes[16 * y + x] = code
+        found = Receivers(codes, None, None, s).neighbour(px, py, dx, dy)
+        return found[:2] if found else ["none"]
+    z_bits, *codes = take(w, len(w))
+    layers = Layers(Settings(xy_bits=4, z_bits=z_bits))
+    for code in codes:
+        layers.add(0, code)
+    return layers.midpoints()[:1]
+
+
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
           "matrices": matrices, "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
-          "triangles": triangles, "dicing": dicing, "noise": noise, "shadow_test": shadow_test,
+          "triangles": triangles, "dicing": dicing, "bias": bias, "noise": noise, "shadow_test": shadow_test,
           "windows": windows, "dequantize": dequantized, "low_pass": low_passed,
           "composite": composite}
 

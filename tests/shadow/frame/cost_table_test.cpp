@@ -1,5 +1,6 @@
 // The constants of the costs are the rows of the table in hw/MACHINE.md, section 16, word for word.
 #include "raster/drawing_cost.hpp"
+#include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/filter_cost.hpp"
 #include "tests/support/machine_text.hpp"
 
@@ -83,6 +84,15 @@ TEST(CostTable, Facets) {
     expect_row(row("vertex of a diced patch", c::diced_vertex));
     expect_row(row("its normal, where the view shades", c::diced_normal));
     expect_row(row("shaded sample of a facet, beside section 16's", c::corner_weights));
+}
+
+TEST(CostTable, SurfaceBias) {
+    expect_row(row("sample of a leaf, its triangle's slope", raster::cost::leaf_slope));
+    expect_row(row("triangle whose box holds a centre, its slope", raster::cost::facet_slope));
+    expect_row(row("sample of a facet, moved", raster::cost::moved_sample));
+    expect_row(row("sample, second depth kept", cost::second_sample));
+    expect_row(row("texel, midpoint", cost::midpoint_texel));
+    expect_row(row("visible pixel, its plane", cost::receiver_plane));
 }
 
 TEST(CostTable, Drawing) {

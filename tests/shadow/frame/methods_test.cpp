@@ -51,6 +51,12 @@ TEST(Methods, TheSettingsChooseARow) {
         s.machine.z_bits = m.max_z_bits + 1;
         EXPECT_FALSE(method_can(s)) << m.name;
         EXPECT_FALSE(can_be_built(s)) << m.name;
+        s.machine.z_bits = m.max_z_bits;
+        s.receiver = Receiver::plane;
+        for (const Lookup lookup : m.lookups) {
+            s.lookup = lookup;
+            EXPECT_EQ(method_can(s), m.takes_plane && !has_window(lookup)) << m.name;
+        }
     }
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",
                                                   "ap120b"}));

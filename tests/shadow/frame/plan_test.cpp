@@ -146,6 +146,7 @@ TEST(FramePlan, SaysWhy) {
     EXPECT_EQ(reason(scene("same eye"), light_drawing), Reason::same_view);
     EXPECT_EQ(reason(scene("same view, AP-120B"), light_drawing), Reason::same_view);
     EXPECT_EQ(reason(scene("same view, correct"), light_drawing), Reason::tested_when_drawn);
+    EXPECT_EQ(reason(scene("same view, back"), light_drawing), Reason::other_map);
     EXPECT_EQ(reason(scene("figure 6"), outside_surfaces), Reason::none_outside);
     EXPECT_EQ(reason(scene("near, diced"), outside_surfaces), Reason::outside_view);
     EXPECT_EQ(reason(scene("diced, no caster"), light_map), Reason::no_caster);

@@ -190,6 +190,26 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.settings.dequantize_passes = 6;
         p.patches.resize(64);
     }
+    for (const MapDepth depth : {MapDepth::back, MapDepth::midpoint}) {
+        PlannedScene& p = add(depth == MapDepth::back ? "same view, back" : "midpoint, slopes", 4);
+        p.settings.map_depth = depth;
+        p.settings.bias_q16 = 0;
+        add_mesh(p);
+        if (depth == MapDepth::back) {
+            p.light = p.observer;
+        } else {
+            p.settings.bias_slope_q8 = 300;
+            p.settings.bias_clamp_q16 = 500 << 16;
+            p.settings.form = Form::correct;
+        }
+    }
+    {
+        PlannedScene& p = add("receiver's planes", 4);
+        add_floor(p);
+        p.settings.receiver = Receiver::plane;
+        p.settings.bias_q16 = 2 << 16;
+        p.settings.bias_clamp_q16 = 400 << 16;
+    }
     return all;
 }
 
@@ -203,7 +223,7 @@ inline PlannedScene planned_scene(std::string_view name) {
 // A planned scene's inputs, and memory to draw it in. The scene must outlive it.
 struct PlannedFrame {
     explicit PlannedFrame(const PlannedScene& planned)
-        : frame(planned.settings.machine, planned.patches.size()),
+        : frame(planned.settings.machine, planned.patches.size(), FrameShape(2)),
           inputs{planned.scene(), planned.settings, {}} {
         EXPECT_EQ(load_matrices(inputs.scene, inputs.settings, inputs.matrices),
                   FrameStatus::ok)

@@ -74,6 +74,7 @@ const Expected post_process_form{
     {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""},
     {"surface", ""}, {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"},
     {"background", "LDO"}, {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"},
+    {"map_depth", "DO"}, {"bias_slope", "DO"}, {"receiver", "LDO"},
     {"dither_size", "LDO"},
     {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
     {"composite", "LDOM"}, {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
@@ -81,6 +82,7 @@ const Expected correct_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
     {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""},
     {"surface", ""}, {"sampling", ""}, {"registration", "L"}, {"lookup", "L"}, {"background", "L"},
+    {"map_depth", ""}, {"bias_slope", ""},
     {"bias", "L"}, {"bias_unit", "LD"},  // 192 texels: nothing is tested any more
     {"dither", "L"}, {"dither_size", "L"},
     {"dither_seed", "L"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "L"},

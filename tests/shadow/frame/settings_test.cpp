@@ -31,10 +31,10 @@ using A = Anything;
 // Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
 // is a compile error here until it is named, and then a failure below until the table names it too.
 static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
-static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
-              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
+static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
+              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
 auto members(const Settings& s) {
-    const auto& [machine, registration, lookup, background, taps, tap_places, dither] =
+    const auto& [machine, registration, lookup, background, taps, tap_places, dither, receiver] =
         static_cast<const ShadowTest&>(s);
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                  max_accumulator_bits, product_rounding, transform_rounding, coefficient_rounding,
@@ -48,7 +48,8 @@ auto members(const Settings& s) {
                            coefficient_rounding, depth_rounding, divide_order, s.surface,
                            s.dice_levels, s.facing, s.sampling,
                            registration, lookup, background, taps, tap_places, s.bias_q16,
-                           s.bias_unit, shape, size_q8, seed, s.dequantize_passes,
+                           s.bias_unit, s.map_depth, s.bias_slope_q8, s.bias_clamp_q16, receiver,
+                           shape, size_q8, seed, s.dequantize_passes,
                            s.low_pass_passes, s.ambient_q8, s.composite, s.density_q8, s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
                            light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
@@ -145,6 +146,8 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"background", 0},      {"bias", 64 << 16},
         {"taps", 3},            {"tap_places", 0},
         {"bias_unit", 0},       {"dither", 0},
+        {"map_depth", 0},       {"bias_slope", 0},
+        {"bias_clamp", 0},      {"receiver", 0},
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
         {"ambient", 77},        {"composite", 0},      {"density", 218},
@@ -204,6 +207,11 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("bias_unit", "quanta", BiasUnit::quanta));
     all.push_back(named("bias_unit", "texels", BiasUnit::texels));
     all.push_back(named("bias_unit", "world", BiasUnit::world));
+    all.push_back(named("map_depth", "first", MapDepth::first));
+    all.push_back(named("map_depth", "back", MapDepth::back));
+    all.push_back(named("map_depth", "midpoint", MapDepth::midpoint));
+    all.push_back(named("receiver", "point", Receiver::point));
+    all.push_back(named("receiver", "plane", Receiver::plane));
     all.push_back(named("dither", "none", hw::DitherShape::none));
     all.push_back(named("dither", "uniform", hw::DitherShape::uniform));
     all.push_back(named("dither", "triangular", hw::DitherShape::triangular));
@@ -308,6 +316,10 @@ TEST(SettingsTable, RangesAreThese) {
         {"background", {0, 1}},
         {"bias", {-(one << 40), one << 40}},
         {"bias_unit", {0, 2}},
+        {"map_depth", {0, 2}},
+        {"bias_slope", {0, 64 << 8}},
+        {"bias_clamp", {0, one << 40}},
+        {"receiver", {0, 1}},
         {"dither", {0, 4}},
         {"dither_size", {0, 1024}},
         {"dither_seed", {1, 2147483647}},
@@ -348,7 +360,8 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
         s.machine.xy_bits = std::min(s.machine.xy_bits, 5);
         if (!can_be_built(s)) return;
         const test::FigureScene figures;
-        test::Frame<hw::Depth32> frame(s.machine, figures.patches.size());
+        test::Frame<hw::Depth32> frame(s.machine, figures.patches.size(),
+                                         FrameShape(map_layers(s)));
         const FrameStatus status = frame.draw(figures.scene(), s);
         EXPECT_TRUE(status == FrameStatus::ok || what == "bias" || what == "all") << what;
         if (status != FrameStatus::ok) return;
@@ -370,8 +383,9 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
         row.set(high, row.max);
     }
     high.form = Form::post_process;
+    high.receiver = Receiver::point;
     high.lookup = Lookup::bilinear;
-    low.bias_q16 = high.bias_q16 = 0;
+    low.bias_q16 = high.bias_q16 = high.bias_clamp_q16 = 0;
     high.machine.z_bits = 16;
     draw(low, "all");
     draw(high, "all");
@@ -400,6 +414,14 @@ TEST(SettingsTable, GapsAreRefused) {
     s.machine.z_bits = 16;
     s.form = Form::correct;
     EXPECT_FALSE(can_be_built(s));
+    s = {};
+    s.receiver = Receiver::plane;
+    EXPECT_TRUE(can_be_built(s));
+    s.arithmetic = Arithmetic::ap120b;
+    EXPECT_FALSE(can_be_built(s)) << "no pass over neighbours";
+    s.arithmetic = Arithmetic::fixed;
+    s.form = Form::correct;
+    EXPECT_FALSE(can_be_built(s)) << "no finished store";
 }
 
 }  // namespace

@@ -78,6 +78,22 @@ TEST(FrameWarnings, AFittedNearPlaneThatCutsIsReported) {
     EXPECT_LT(whole.report->coverage->missing, 100);
 }
 
+// A ball is closed; a plane, a patch and a facet are not, and two facets share one side of three.
+TEST(FrameWarnings, OpenSurfacesLoseTheirShadowsInAMapOfBacks) {
+    const std::string ball =
+        "[light]\nazimuth = 20\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 0.5\n";
+    const std::string plane =
+        "[[plane]]\norigin = [-1, -1, -1]\nu = [2, 0, 0]\nv = [0, 0, 2]\n";
+    const Texts back = with(small, {"map_depth=back"});
+    EXPECT_EQ(DrawnCase(ball, back).line("open_surfaces"), "");
+    EXPECT_EQ(DrawnCase(ball + plane, small).line("open_surfaces"), "");
+    const DrawnCase open(ball + plane, back);
+    EXPECT_EQ(open.measured("open_surfaces"), 1);
+    EXPECT_NE(open.line("open_surfaces").find("1 of 33 patches have an open border"),
+              std::string::npos)
+        << open.line("open_surfaces");
+}
+
 TEST(FrameWarnings, AGivenNearOrFarThatCutsIsReported) {
     const std::string text = test::first_natural_scene();
     EXPECT_EQ(DrawnCase(text, small).keys(), Texts{"light_window"});

@@ -165,6 +165,13 @@ TEST(BiasStudy, RunsASweepAndASearch) {
     EXPECT_NEAR(search.number("bias_quanta") / search.number("bias_texels"), 512, 1e-6);
     EXPECT_DOUBLE_EQ(search.number("gap_quanta"), search.number("gap_world") * 16384);
 
+    int forms = 0;
+    for (const Case& c : cases) forms += c.extra.at(0).second == "form" ? 1 : 0;
+    EXPECT_EQ(forms, 8) << "the constant alone, two maps, two slopes, a plane, two with a limit";
+    const Row form = figures_of(*study, request, find("form"));
+    EXPECT_EQ(form.number("least_outside_quanta"), search.number("least_outside_quanta"))
+        << "the first form is the constant alone";
+
     request.automatic = true;
     const auto own = study->cases(request);
     ASSERT_EQ(own.size(), 1u);

@@ -4,7 +4,8 @@
 // search by bisection, in whole quanta, for the least bias with under 0.1 % false shadow, over all
 // pixels and outside the edge band (one light texel mapped back to the observer). Bisection is
 // sound because false shadow never rises with the bias: every pixel's depth only falls. Searches
-// at other widths show in which unit the least bias stays the same.
+// at other widths show in which unit the least bias stays the same. A third kind searches for the
+// least constant bias that is needed beside each form of bias that follows the surface.
 #include "tools/study/bias/report.hpp"
 #include "tools/study/bias/search.hpp"
 #include "tools/study/grid.hpp"
@@ -41,6 +42,30 @@ std::vector<Case> searches(std::vector<Case> cases) {
     for (Case& c : cases) {
         c.name = "least bias " + c.name;
         c.extra.emplace_back("find", "least");
+    }
+    return cases;
+}
+
+// The least constant bias beside each form, and beside none.
+std::vector<Case> forms(const Request& search, bool quick) {
+    const std::vector<std::vector<GridKey>> all{
+        {{"map_depth", {"first", "back", "midpoint"}}},
+        {{"bias_slope", {"0.5", "1"}}},
+        {{"bias_slope", {"1"}}, {"bias_clamp", {"512"}}},
+        {{"receiver", {"plane"}}},
+        {{"receiver", {"plane"}}, {"bias_clamp", {"512"}}}};
+    std::vector<Case> cases;
+    for (std::vector<GridKey> form : all) {
+        std::vector<GridKey> axes{{"lookup", {"nearest", "bilinear"}},
+                                  {"dither", {"none", "normal"}},
+                                  unit};
+        if (quick) axes[0].second = {"nearest"}, axes[1].second = {"none"};
+        axes.insert(axes.end(), form.begin(), form.end());
+        cases = joined(std::move(cases), grid(search, axes));
+    }
+    for (Case& c : cases) {
+        c.name = "least bias beside its form, " + c.name;
+        c.extra.emplace_back("find", "form");
     }
     return cases;
 }
@@ -99,6 +124,7 @@ std::vector<Case> BiasStudy::cases(const Request& request) const {
     };
     add_width("xy_bits", request.quick ? "8" : "7 8 10", own.xy_bits);
     add_width("z_bits", request.quick ? "12" : "12 14 20", own.z_bits);
+    all = joined(std::move(all), forms(search, request.quick));
     return all;
 }
 
@@ -107,7 +133,7 @@ Row BiasStudy::run(const Request&, const Case& c, const LoadedScene* drawn) cons
     const auto traced = truths_.needed(scene);
     const LightUnits units = light_units(scene);
     BiasedFrames frames(scene, *traced);
-    const bool search = c.extra.at(0).second == "least";
+    const bool search = c.extra.at(0).second != "rates";
     const double nan = std::nan("");
     const LeastBias min = search ? min_bias(frames) : LeastBias{nan, nan};
     // A search's rates are those at the least bias outside the band, or where it gave up.
@@ -132,7 +158,8 @@ Row BiasStudy::run(const Request&, const Case& c, const LoadedScene* drawn) cons
 std::vector<ColumnMeaning> BiasStudy::columns() const {
     std::vector<ColumnMeaning> all(std::begin(rate_columns), std::end(rate_columns));
     for (const ColumnMeaning& own : std::initializer_list<ColumnMeaning>{
-             {"find", "rates: both errors at one bias; least: a search for the least bias"},
+             {"find", "rates: both errors at one bias; least: a search for the least bias; form: "
+                      "the same beside a bias that follows the surface"},
              {"bias_*", "the bias in quanta of the light's Z, light texels, world units; of a "
                         "search the one that its rates are of: the least outside the edge band"},
              {"gap_*", "the distance from its caster at which a shadow begins, in the same units"},

@@ -1,5 +1,6 @@
 #include "tools/study/bias/report.hpp"
 
+#include "tools/study/bias/forms.hpp"
 #include "tools/study/bias/search.hpp"
 #include "tools/study/report_sections.hpp"
 
@@ -85,12 +86,6 @@ void plot_rates(const Rows& rates, Report& report) {
                           "each dither. Rates of 0 and a bias of 0 have no place on logarithmic "
                           "axes; the CSV has them.");
     }
-}
-
-// "not found" where no bias up to the search's end suffices.
-std::string figure(const Row& row, const std::string& column, int digits = 3) {
-    const double value = row.number(column);
-    return std::isnan(value) ? "not found" : rounded(value, digits);
 }
 
 // The maximum over the biases of the sweep that belongs to a search, and the search itself.
@@ -245,6 +240,7 @@ void report_all(std::span<const Row> rows, Report& report) {
     report.heading("The least bias of each setting");
     table_min(searches, rates, report);
     answer_unit(searches, report);
+    report_forms(measured(rows, "form"), report);
     auto& json = report.summary()["least_bias_quanta"];
     for (const Row& row : searches)
         json.push_back({{"sampling", row.text("sampling")},
@@ -258,6 +254,11 @@ void report_all(std::span<const Row> rows, Report& report) {
 }
 
 }  // namespace
+
+std::string figure(const Row& row, const std::string& column, int digits) {
+    const double value = row.number(column);
+    return std::isnan(value) ? "not found" : rounded(value, digits);
+}
 
 std::vector<UnitSpread> unit_spreads(std::span<const Row> rows) {
     std::vector<UnitSpread> spreads;
@@ -277,9 +278,11 @@ std::vector<UnitSpread> unit_spreads(std::span<const Row> rows) {
 }
 
 void report_bias(const Request& request, std::span<const Row> all, Report& report) {
-    constexpr std::array<std::string_view, 7> keys{"sampling", "lookup", "dither", "bias",
-                                                   "bias_unit", "xy_bits", "z_bits"};
-    const auto own = std::span(keys).first(request.automatic ? 5 : 7);  // --auto names no widths
+    constexpr std::array<std::string_view, 11> keys{
+        "sampling", "lookup", "dither", "bias", "bias_unit", "xy_bits", "z_bits", "map_depth",
+        "bias_slope", "bias_clamp", "receiver"};
+    // --auto names neither widths nor forms.
+    const auto own = std::span(keys).first(request.automatic ? 5 : keys.size());
     write_sections(request, own, all, report, [&](std::span<const Row> rows, Report& some) {
         if (!request.automatic) return report_all(rows, some);
         for (const Row& row : rows) answer_scene(row, some);

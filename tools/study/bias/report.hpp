@@ -7,6 +7,9 @@ namespace umbra78::tools::study {
 
 void report_bias(const Request&, std::span<const Row>, Report&);
 
+// A column's number; "not found" where no bias up to the search's end suffices.
+std::string figure(const Row& row, const std::string& column, int digits = 3);
+
 // A unit of bias, and by how much the least bias changes in it from one width to another: the
 // maximum over the minimum, 1 if it does not change.
 struct UnitSpread {
