@@ -7,7 +7,6 @@
 #include "shadow/lines.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace umbra78::shadow {
 namespace {
@@ -178,13 +177,6 @@ FilteredLines lines_near_shadow(std::span<const std::uint8_t> mask, const Settin
     return n;
 }
 
-// The source that begins with a light; none for its further lights.
-std::optional<Source> source_at(const Scene& scene, std::size_t light) {
-    for (std::size_t s = 0; s < scene.sources_used(); ++s)
-        if (const Source source = scene.source(s); source.first_light == light) return source;
-    return std::nullopt;
-}
-
 // Of filters that go through so many lines.
 void add_filters(const FrameInputs& in, std::uint64_t chain_steps, const FilteredLines& lines,
                  PhaseLedger& of_dequantize, PhaseLedger& of_low_pass, PhaseLedger& of_composite) {
@@ -242,8 +234,9 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
     method.stages<Depth>().frame_cost(in, light, frame, counts, l);
     l.lines.visible = lines_with_visible<Depth>(frame.observer.depth, s.machine.size_px(), none)
                           .count();
-    if (const std::optional<Source> source = source_at(in.scene, light))
-        add_source(in, *source, frame, counts.lights[light], l);
+    for (std::size_t k = 0; k < in.scene.sources_used(); ++k)
+        if (const Source source = in.scene.source(k); source.first_light == light)
+            add_source(in, source, frame, counts.lights[light], l);
     return l;
 }
 

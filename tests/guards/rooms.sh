@@ -5,7 +5,7 @@
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 
-allowed_standard="algorithm array bit compare concepts cstddef cstdint limits new span
+allowed_standard="algorithm array bit compare concepts cstddef cstdint limits new optional span
 string_view type_traits"
 
 forbidden='\b(float|double|new|delete|malloc|calloc|realloc|free|throw|try|catch|typeid)\b'

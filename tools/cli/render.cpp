@@ -31,9 +31,7 @@ struct Options {
 };
 
 // Why a scene that is not of spheres and planes alone has none.
-const char* no_truth_because(const LoadedScene& scene, std::size_t light) {
-    if (!scene.lights[light].area.empty())
-        return "a light with an area: its shadow is no yes or no";
+const char* no_truth_because(const LoadedScene& scene) {
     if (scene.stream) return "a stream: its primitives are not held";
     return traces_patches() ? "free patches: there is no memory for their triangles"
                             : "free patches: built without Embree; install libembree-dev and "
@@ -80,14 +78,13 @@ private:
 
     // The error map is the first light's.
     void compare(const Options& options, std::size_t light) {
-        const bool has_truth = !scene.stream && scene.lights[light].area.empty();
         const std::optional<SceneTruth> truth =
-            has_truth ? trace(scene, light) : std::nullopt;
+            scene.stream ? std::nullopt : trace(scene, light);
         const bool wants_map = light == 0 && !options.error_map.empty();
         if (!truth && wants_map)
             throw SceneError(fmt::format("--error {}: {} has no exact truth: {}",
                                          options.error_map, options.scene,
-                                         no_truth_because(scene, light)));
+                                         no_truth_because(scene)));
         errors.emplace_back();
         if (!truth) return;
         const std::vector<std::uint8_t> visible = job.visible();
@@ -233,7 +230,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
         else
             fmt::print("error       n/a ({})\n", options.no_truth
                                                      ? "--no-truth"
-                                                     : no_truth_because(rendered.scene, l));
+                                                     : no_truth_because(rendered.scene));
     }
     if (!options.error_map.empty())
         fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);

@@ -33,6 +33,9 @@ constexpr ScenePicture table[] = {
     {.name = "torus", .shows = "a torus with its moire", .scene = "torus.toml"},
     {.name = "solids", .shows = "the solids", .scene = "solids.toml"},
     {.name = "mesh", .shows = "awkward polygons, flat, smooth", .scene = "mesh.toml"},
+    {.name = "grazing", .shows = "grazing light, a bias of 1 texel", .scene = "grazing.toml"},
+    {.name = "grazing_plane", .shows = "the same, receivers' planes", .scene = "grazing.toml",
+     .set = "receiver=plane"},
     {.name = "lamp", .shows = "a lamp over a table", .scene = "lamp.toml"},
     {.name = "corridor", .shows = "columns in steep perspective", .scene = "corridor.toml"},
     {.name = "pcf1", .shows = "coarse map, nearest lookup", .scene = "pcf.toml",
@@ -59,7 +62,7 @@ void measure(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
 }
 
 void compare(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
-    if (scene.lights.size() > 1 || !scene.lights.front().area.empty()) return;
+    if (scene.lights.size() > 1) return;
     const std::optional<SceneTruth> truth = trace(scene);
     if (!truth) return;
     const std::vector<std::uint8_t> visible = job.visible();

@@ -47,7 +47,7 @@ struct DrawnScene {
     std::vector<std::uint8_t> rgb;  // of a coloured one
     std::size_t lights = 1, maps = 1;
     ShadowCost cost;
-    std::optional<ShadowReport> error;  // of a scene with one light that is no area
+    std::optional<ShadowReport> error;  // of a scene with one light
     std::vector<std::string> warnings;
 
     bool coloured() const { return channels.size() > 1; }

@@ -58,7 +58,8 @@ ordered_json to_json(const GradedError& e) {
     return {{"mean_absolute", of(e.mean_absolute(), e.pixels())},
             {"rms", of(e.rms(), e.pixels())},
             {"lit_below_98_percent", of(e.lit_below_98_rate(), e.lit)},
-            {"umbra_above_2_percent", of(e.umbra_above_2_rate(), e.umbra)}};
+            {"umbra_above_2_percent", of(e.umbra_above_2_rate(), e.umbra)},
+            {"penumbra_ratio", of(e.penumbra_ratio(), e.penumbra)}};
 }
 
 std::string print(const GradedError& e) {
@@ -66,10 +67,13 @@ std::string print(const GradedError& e) {
         return pixels > 0 ? percent(rate) + " %" : percent(std::nullopt);
     };
     return fmt::format("of the light that truth sees: {} on average, {} rms; {} of the lit pixels "
-                       "get less than 98 %, {} of those in shadow more than 2 %\n",
+                       "get less than 98 %, {} of those in shadow more than 2 %{}\n",
                        share(e.mean_absolute(), e.pixels()), share(e.rms(), e.pixels()),
                        share(e.lit_below_98_rate(), e.lit),
-                       share(e.umbra_above_2_rate(), e.umbra));
+                       share(e.umbra_above_2_rate(), e.umbra),
+                       e.penumbra > 0 ? fmt::format("; the penumbra has {:.2f} times the true "
+                                                    "one's pixels", e.penumbra_ratio())
+                                      : "");
 }
 
 std::string print_rates(const ShadowReport& report) {

@@ -19,6 +19,7 @@ void read_area(const TableReader& in, const raster::World& origin, ScenePoints& 
     const auto n = static_cast<int>(in.number("samples"));
     const raster::World middle = less(in.needed_point("position"), origin);
     if (in.error().any()) return;
+    light.side = size;
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             View view = light.view;

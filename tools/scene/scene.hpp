@@ -24,6 +24,7 @@ namespace umbra78::tools {
 struct SceneLight {
     raster::View view{};             // from its place
     std::vector<raster::View> area;  // the views of the lights on its area; empty without one
+    std::int32_t side = 0;           // of the area's square, Q15.16
     raster::Levels level_q8 = 256;
 
     std::span<const raster::View> views() const {

@@ -27,10 +27,10 @@ ShadowError shadow_error(const Truth& truth, const MachineMask& mask,
 }
 
 double GradedError::mean_absolute() const {
-    return pixels() ? double(absolute) / 255 / pixels() : 0;
+    return pixels() ? absolute / 255 / pixels() : 0;
 }
 double GradedError::rms() const {
-    return pixels() ? std::sqrt(double(squares) / pixels()) / 255 : 0;
+    return pixels() ? std::sqrt(squares / pixels()) / 255 : 0;
 }
 
 GradedError graded_error(const Truth& truth, const MachineMask& mask,
@@ -38,12 +38,16 @@ GradedError graded_error(const Truth& truth, const MachineMask& mask,
     GradedError error;
     for_compared(truth, mask, leave_out, [&](std::size_t at) {
         const int dark = mask.shadow[at];
-        const auto off = static_cast<std::uint64_t>(truth.lit[at] ? dark : 255 - dark);
+        const double share = truth.light_share(at);
+        const double off = std::abs(dark - 255 * (1 - share));
         error.absolute += off;
         error.squares += off * off;
         const bool beyond = off * 100 > 255 * 2;  // off by more than 2 % of the light
-        (truth.lit[at] ? error.lit : error.umbra) += 1;
-        (truth.lit[at] ? error.lit_below_98 : error.umbra_above_2) += beyond;
+        error.lit += share == 1;
+        error.umbra += share == 0;
+        error.penumbra += share > 0 && share < 1;
+        error.lit_below_98 += share == 1 && beyond;
+        error.umbra_above_2 += share == 0 && beyond;
         error.between += dark != 0 && dark != 255;
     });
     return error;

@@ -43,18 +43,21 @@ ShadowError shadow_error(const Truth&, const MachineMask&,
 // infinity or at a point. Unlike the rates above it holds for masks with grey levels, too.
 struct GradedError {
     int lit = 0, umbra = 0;            // in truth: all of the light is seen, or none
-    std::uint64_t absolute = 0;        // sum of |mask - truth|, in 255ths
-    std::uint64_t squares = 0;         // of their squares, in 255ths squared
+    int penumbra = 0;                  // and some of it, of a light with an area
+    double absolute = 0;               // sum of |mask - truth|, in 255ths
+    double squares = 0;                // of their squares, in 255ths squared
     int lit_below_98 = 0;              // lit pixels that get less than 98 % of the light
     int umbra_above_2 = 0;             // umbra pixels that get more than 2 %
     int between = 0;                   // pixels whose mask is neither 0 nor 255
 
-    int pixels() const { return lit + umbra; }
+    int pixels() const { return lit + umbra + penumbra; }
     bool graded() const { return between > 0; }
     // Of pixels() > 0, lit > 0 and umbra > 0; else 0.
     double mean_absolute() const;
     double rms() const;
     double lit_below_98_rate() const { return lit ? double(lit_below_98) / lit : 0; }
+    // How large the machine's penumbra is, over the true one: pixels of neither end.
+    double penumbra_ratio() const { return penumbra ? double(between) / penumbra : 0; }
     double umbra_above_2_rate() const { return umbra ? double(umbra_above_2) / umbra : 0; }
 };
 

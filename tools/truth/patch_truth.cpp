@@ -218,7 +218,7 @@ double distance_behind(const Triangles& triangles, const Ray& to_light, bool poi
 }
 
 PatchTruth trace_once(const RealScene& real, const TruthView& view, const TruthLight& light,
-                      int cells) {
+                      int cells, bool measures_area) {
     const Triangles triangles(real, cells);
     const double reach = real.reach();
     double departure = 0;
@@ -226,6 +226,7 @@ PatchTruth trace_once(const RealScene& real, const TruthView& view, const TruthL
         departure = std::max(departure, patch.departure(cells));
     PatchTruth made{Truth(view.size), 0, departure + std::ldexp(reach, -20)};
     Truth& truth = made.truth;
+    if (measures_area) truth.measure_area(light);
     for (std::size_t at = 0; at < truth.visible.size(); ++at) {
         const auto size = static_cast<std::size_t>(view.size);
         Ray sight = view.ray(static_cast<double>(at % size) + 0.5,
@@ -243,6 +244,11 @@ PatchTruth trace_once(const RealScene& real, const TruthView& view, const TruthL
             truth.n_dot_l[at] > 0 &&
             !triangles.blocked(light.ray(along(position, made.shadow_offset, normal)),
                                light.reach());
+        if (measures_area && light.has_area())
+            truth.see_area(at, points_seen(light, position, normal, [&](const TruthLight& one) {
+                const Real3 start = along(position, made.shadow_offset, normal);
+                return triangles.blocked(one.ray(start), one.reach());
+            }));
         if (!truth.lit[at])
             truth.behind[at] =
                 distance_behind(triangles, light.ray(position), light.point, reach);
@@ -256,12 +262,13 @@ std::optional<PatchTruth> trace_patches(const raster::Surfaces& surfaces, const 
                                         const TruthLight& light, int cells) try {
     cells = cells_within_budget(surfaces.patches.size(), cells, surfaces.mesh.facets.size());
     const RealScene real(surfaces);
-    PatchTruth made = trace_once(real, view, light, cells);
-    const Truth coarse = trace_once(real, view, light, std::max(cells / 2, 1)).truth;
+    PatchTruth made = trace_once(real, view, light, cells, true);
+    // Of a light with an area the middle tells: lit is compared where it is the same question.
+    const Truth coarse = trace_once(real, view, light, std::max(cells / 2, 1), false).truth;
     std::size_t changed = 0;
     for (std::size_t at = 0; at < coarse.visible.size(); ++at)
         changed += coarse.visible[at] != made.truth.visible[at] ||
-                   coarse.lit[at] != made.truth.lit[at];
+                   (!light.has_area() && coarse.lit[at] != made.truth.lit[at]);
     made.estimated_error =
         static_cast<double>(changed) / static_cast<double>(coarse.visible.size());
     return made;

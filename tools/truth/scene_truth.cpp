@@ -29,10 +29,18 @@ TruthScene truth_scene(const LoadedScene& scene) {
 }
 
 // The light stands where its view's eye is, or infinitely far along its view's back.
-TruthLight truth_light(const raster::View& light) {
+constexpr int area_points_a_side = 32;
+
+TruthLight truth_light(const SceneLight& of) {
+    const raster::View& light = of.view;
     const Real3 back = real(light.axes.back);
     const bool point = light.projection == raster::Projection::perspective;
-    return {point, back, along(real(light.target), point ? q16(light.distance) : 0, back)};
+    TruthLight made{point, back, along(real(light.target), point ? q16(light.distance) : 0, back)};
+    if (of.area.empty()) return made;
+    made.side_u = times(q16(of.side), real(light.axes.right));
+    made.side_v = times(q16(of.side), real(light.axes.up));
+    made.points_a_side = area_points_a_side;
+    return made;
 }
 
 // The observer's view with all that lies before the eye, or in the whole depth of the scene.
@@ -74,11 +82,10 @@ TruthView truth_view(const raster::View& view, int size_px) {
 namespace {
 
 std::optional<SceneTruth> trace(const LoadedScene& scene, std::size_t light, bool cut) {
-    fixed::require(scene.lights[light].area.empty(), "truth of a light with an area");
-    const raster::View& of = scene.lights[light].view;
+    const SceneLight& of = scene.lights[light];
     const int size = scene.settings.machine.size_px();
     SceneTruth made{truth_scene(scene), truth_view(scene.observer, size),
-                    truth_view(of, size), truth_light(of), {}, {}};
+                    truth_view(of.view, size), truth_light(of), {}, {}};
     const TruthView seen = cut ? made.observer : without_cut(scene, made.observer);
     if (!scene.has_closed_form()) {
         auto traced = patch_truth(scene, seen, made.light);

@@ -29,8 +29,8 @@ struct SceneTruth {
 
 // Traced at the settings' resolution. Truth sees whatever lies in the observer's window: near and
 // far do not cut it, so that what they take from the machine's picture is counted as missing.
-// Nothing for a scene with free patches without Embree. `light`: whose shadow; traps for one with
-// an area, whose shadow is no yes or no.
+// Nothing for a scene with free patches without Embree. `light`: whose shadow. Of a light with an
+// area 1024 points are seen or not (points_seen).
 std::optional<SceneTruth> trace(const LoadedScene&, std::size_t light = 0);
 
 TruthView truth_view(const raster::View&, int size_px);

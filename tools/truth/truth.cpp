@@ -104,6 +104,12 @@ Real3 TruthView::project(const Real3& world) const {
             0.5 * size - scale * dot(from_target, up), depth};
 }
 
+TruthLight TruthLight::point_of_area(int i, int j) const {
+    const auto along_side = [&](int k) { return (k + 0.5) / points_a_side - 0.5; };
+    return {true, direction,
+            along(along(position, along_side(i), side_u), along_side(j), side_v)};
+}
+
 Ray TruthLight::ray(const Real3& from) const {
     return {from, point ? minus(position, from) : direction};
 }
@@ -187,6 +193,17 @@ Truth::Truth(int size_px) : size(size_px) {
     behind.resize(pixels);
 }
 
+void Truth::measure_area(const TruthLight& light) {
+    if (!light.has_area()) return;
+    points = light.points_a_side * light.points_a_side;
+    seen.resize(visible.size());
+}
+
+void Truth::see_area(std::size_t at, int points_of_it) {
+    seen[at] = static_cast<std::uint16_t>(points_of_it);
+    lit[at] = 2 * points_of_it >= points;
+}
+
 void Truth::see(std::size_t at, int surface_seen, double depth_seen, const Real3& where,
                 const Real3& unit_normal, const TruthLight& light) {
     visible[at] = 1;
@@ -225,6 +242,7 @@ SurfacePoint surface_point(const TruthScene& scene, int surface, const TruthLigh
 
 Truth trace(const TruthScene& scene, const TruthView& view, const TruthLight& light) {
     Truth truth(view.size);
+    truth.measure_area(light);
 
     // What is seen.
     const auto draw_surface = [&](int surface, const PixelBox& box) {
@@ -245,7 +263,13 @@ Truth trace(const TruthScene& scene, const TruthView& view, const TruthLight& li
         const SurfacePoint point = surface_point(scene, seen, light, sight, truth.depth[at]);
         truth.see(at, seen, truth.depth[at], point.position, point.normal, light);
         truth.lit[at] = point.lit;
-        if (point.lit) continue;
+        if (light.has_area())
+            truth.see_area(at, points_seen(light, point.position, point.normal,
+                                           [&](const TruthLight& one) {
+                                               return !surface_point(scene, seen, one, sight,
+                                                                     truth.depth[at]).lit;
+                                           }));
+        if (truth.lit[at]) continue;
         const Ray to_light = light.ray(point.position);
         truth.behind[at] =
             last_crossing(scene, to_light, light.reach()) * length(to_light.direction);

@@ -12,6 +12,7 @@
 
 #include "tools/truth/real3.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -61,6 +62,13 @@ struct TruthLight {
     bool point;
     Real3 direction;  // unit, toward the light; read unless `point`
     Real3 position;   // read if `point`
+    // Of a square light about `position`: its two sides, and how many points a side its share is
+    // measured by; 0 points: a light without area.
+    Real3 side_u{}, side_v{};
+    int points_a_side = 0;
+
+    bool has_area() const { return points_a_side > 0; }
+    TruthLight point_of_area(int i, int j) const;
 
     Ray ray(const Real3& from) const;  // toward the light
     double reach() const {             // t of the light on that ray
@@ -81,6 +89,20 @@ struct Truth {
     std::vector<double> n_dot_l;        // cosine, -1 .. 1
     std::vector<double> behind;         // in shadow: how far the last surface before the light
                                         // is, world units along the light's ray; 0 where lit
+    // Of a light with an area: how many of `points` points on it are seen, and `lit` is 1 where at
+    // least half of them are. Empty for others.
+    std::vector<std::uint16_t> seen;
+    int points = 1;
+
+    // The share of the light that is seen, 0 .. 1.
+    double light_share(std::size_t at) const {
+        return seen.empty() ? lit[at] : static_cast<double>(seen[at]) / points;
+    }
+
+    // Before the first pixel is seen; nothing for a light without area.
+    void measure_area(const TruthLight&);
+    // Sees so many of the area's points.
+    void see_area(std::size_t at, int points_of_it);
 
     Truth() = default;
     explicit Truth(int size_px);  // nothing seen
@@ -89,6 +111,28 @@ struct Truth {
     void see(std::size_t at, int surface_seen, double depth_seen, const Real3& where,
              const Real3& unit_normal, const TruthLight&);
 };
+
+// How many points of a light with an area a surface point sees. `blocked(light)`: whether something
+// stands before that point of it. Where 8 x 8 of the points, the outermost among them, agree, all
+// are taken to.
+template <class Blocked>
+int points_seen(const TruthLight& light, const Real3& position, const Real3& normal,
+                Blocked&& blocked) {
+    const int n = light.points_a_side, few = std::min(n, 8);
+    const auto count = [&](int m) {  // of m x m among them
+        int seen = 0;
+        for (int j = 0; j < m; ++j)
+            for (int i = 0; i < m; ++i) {
+                const TruthLight one = m == n ? light.point_of_area(i, j)
+                                              : light.point_of_area(i * (n - 1) / (m - 1),
+                                                                    j * (n - 1) / (m - 1));
+                seen += dot(normal, one.ray(position).direction) > 0 && !blocked(one);
+            }
+        return seen;
+    };
+    const int first = count(few);
+    return first == 0 ? 0 : first == few * few ? n * n : few == n ? first : count(n);
+}
 
 // Where a ray meets a whole sphere (first and second t) or a parallelogram.
 std::optional<std::array<double, 2>> crossings(const TruthSphere&, const Ray&);

@@ -304,9 +304,9 @@ def bias(w):
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
           "matrices": matrices, "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
-          "triangles": triangles, "dicing": dicing, "bias": bias, "noise": noise, "shadow_test": shadow_test,
-          "windows": windows, "dequantize": dequantized, "low_pass": low_passed,
-          "composite": composite}
+          "triangles": triangles, "dicing": dicing, "bias": bias, "noise": noise,
+          "shadow_test": shadow_test, "windows": windows,
+          "dequantize": dequantized, "low_pass": low_passed, "composite": composite}
 
 
 def check(stage):
