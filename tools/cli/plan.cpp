@@ -54,7 +54,7 @@ struct Planned {
 struct Decided {
     Omission omission;
     shadow::Decision decision;
-    std::vector<std::string> lights{};  // empty: for the frame, or its only light
+    std::vector<std::string> lights{};  // empty: for the frame, or for each of its lights
 
     std::string name() const {
         return lights.empty() ? std::string(name_of(omission))
@@ -81,6 +81,7 @@ std::vector<Decided> decided(const Planned& planned, Omission o) {
                 group->lights.push_back(name);
         }
     }
+    if (all.size() == 1) all.front().lights.clear();  // each light's
     return all;
 }
 
@@ -158,11 +159,12 @@ void print_stages(const Planned& planned) {
 void print_rows(const Options& options, const Planned& planned) {
     const int size = planned.scene.settings.machine.size_px();
     const shadow::OutsideSurfaces& outside = planned.plan().outside;
-    fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} outside the light's view, "
+    fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} outside the {} view, "
                "{} outside the observer's\n",
                options.scene, size, size, grouped(planned.ledger().visible),
                planned.scene.surfaces().count(), kinds_of_surfaces(planned.scene),
-               outside.light[0], outside.observer);
+               outside.light[0], planned.lights() == 1 ? "light's" : "first light's",
+               outside.observer);
     const shadow::FrameLines& lines = planned.ledger().lines;
     fmt::print("scan lines: {} with something visible, {} with a shadow, {} within the low-pass's "
                "reach of one\n\n",
@@ -173,12 +175,12 @@ void print_rows(const Options& options, const Planned& planned) {
     for_omissions(planned, true, [&](const Decided& d, bool first) {
         const shadow::Saving s = planned.saving(d.omission);
         starred |= s.after_drawing;
-        fmt::print("{:<30}{:>12}{}  {}\n", d.name(), first ? grouped(s.cycles) : "\"",
+        fmt::print("{:<29} {:>12}{}  {}\n", d.name(), first ? grouped(s.cycles) : "\"",
                    s.after_drawing ? "*" : " ", explain(d.decision.reason));
     });
     fmt::print("\n{:<45}{}\n", "needed", "because");
     for_omissions(planned, false, [&](const Decided& d, bool) {
-        fmt::print("{:<45}{}\n", d.name(), explain(d.decision.reason));
+        fmt::print("{:<44} {}\n", d.name(), explain(d.decision.reason));
     });
     const std::uint64_t left = total(planned.cycles()), everything = planned.everything();
     const int ns = planned.scene.settings.timing.clock_ns;

@@ -1,0 +1,85 @@
+// The program on scenes with several lights, with an area, and in colour.
+#include "tests/support/paths.hpp"
+#include "tests/support/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace umbra78::tools {
+namespace {
+
+using json = nlohmann::ordered_json;
+using test::Program;
+using test::Ran;
+
+const std::string scenes = UMBRA78_SOURCE_DIR "/tools/scenes/";
+const std::string small = " --set xy_bits=6 --set z_bits=13 ";
+
+TEST_F(Program, RenderReportsEachLight) {
+    const Ran ran = run("render " + scenes + "three_lights.toml" + small + "--json --out a.png");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const json report = parse_json(ran.out);
+    for (const char* buffer : {"light_z3", "mask2", "filtered3", "direct2_green", "picture_blue"})
+        EXPECT_TRUE(report["hashes"].contains(buffer)) << buffer;
+    const json& lights = report["lights"]["lights"];
+    ASSERT_EQ(lights.size(), 3u);
+    std::uint64_t cycles = 0;
+    for (const json& light : lights) {
+        EXPECT_EQ(light["depth_maps"], 1);
+        EXPECT_NEAR(light["bias"]["texels"].get<double>(), 2, 1e-6);
+        cycles += light["cycles"].get<std::uint64_t>();
+    }
+    EXPECT_GT(report["lights"]["frame_cycles"], cycles);  // and the observer's view
+    const std::string png = content(folder / "a.png");
+    ASSERT_GT(png.size(), 26u);
+    EXPECT_EQ(png[25], 2);  // its colour type: red, green, blue
+}
+
+TEST_F(Program, RenderOfAnAreaHasItsMapsAndItsPenumbra) {
+    const Ran ran = run("render " + scenes + "penumbra.toml" + small +
+                        "--set light.samples=3 --json --out a.png");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const json report = parse_json(ran.out);
+    EXPECT_TRUE(report["hashes"].contains("mask9"));
+    EXPECT_TRUE(report["hashes"].contains("darkness"));
+    EXPECT_EQ(report["lights"]["lights"][0]["depth_maps"], 9);
+    EXPECT_EQ(content(folder / "a.png")[25], 0);  // gray
+}
+
+TEST_F(Program, PlanGivesTheReasonOfEachLight) {
+    const Ran ran = run("plan " + scenes + "three_lights.toml" + small +
+                        "--set light2.target=[0,300,0] --set light2.extent=2 --json");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    std::vector<std::string> left_out, needed;
+    std::uint64_t saved = 0;
+    const json report = parse_json(ran.out);
+    for (const json& row : report["omissions"]) {
+        saved += row["saved_cycles"].get<std::uint64_t>();
+        if (row["omission"] == "light_map")
+            for (const json& light : row["lights"])
+                (row["left_out"].get<bool>() ? left_out : needed).push_back(light);
+    }
+    EXPECT_EQ(left_out, std::vector<std::string>{"light2"});
+    EXPECT_EQ(needed, (std::vector<std::string>{"light1", "light3"}));
+    EXPECT_EQ(report["saved_cycles"], saved);
+}
+
+// What looks at one light, or at grey, says so in a line and leaves nothing.
+TEST_F(Program, WhatTakesOneGreyLightRefusesOthers) {
+    const auto refuses = [&](const std::string& command, const std::string& what) {
+        const Ran ran = run(command);
+        EXPECT_EQ(ran.exit_code, 1) << command;
+        EXPECT_NE(ran.err.find(what), std::string::npos) << ran.err;
+        EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+        EXPECT_TRUE(files().empty()) << command;
+    };
+    const std::string lights = scenes + "three_lights.toml", area = scenes + "penumbra.toml";
+    refuses("trace " + lights + " --pixel 3,4", "looks at one light with one depth map");
+    refuses("study error-time " + area + " --quick", "looks at one light with one depth map");
+    refuses("cycles " + area + " --all", "looks at one light with one depth map");
+    refuses("animate " + lights + " --observer 0:10 --frames 2", "an animation is grey");
+    refuses("pack " + scenes + "figures.toml --set light2.level=1 --out a.u78p",
+            "there is no light2; the scene has 1 light");
+}
+
+}  // namespace
+}  // namespace umbra78::tools
