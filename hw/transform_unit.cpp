@@ -1,55 +1,11 @@
 #include "hw/transform_unit.hpp"
 
-#include "fixed/overflow.hpp"
+#include "hw/matrix_rows.hpp"
 
 namespace umbra78::hw {
-namespace {
-
-// Rounds a row at one exponent; false where a word does not fit.
-bool round_row(const std::array<Rational, 4>& row, int exponent, int bits, Rounding rounding,
-               std::array<std::int32_t, 4>& out) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        std::int64_t word = 0;
-        if (!row[i].round_scaled(bits - 2 - exponent, rounding, word)) return false;
-        if (!fixed::fits(word, bits)) return false;
-        out[i] = static_cast<std::int32_t>(word);
-    }
-    return true;
-}
-
-// The smallest exponent in range at which every word of the row fits.
-bool quantize_row(const std::array<Rational, 4>& row, int bits, Rounding rounding,
-                  std::array<std::int32_t, 4>& words, int& exponent) {
-    int start = min_exponent;
-    bool zero = true;
-    for (const Rational& c : row) {
-        if (c.is_zero()) continue;
-        const int log2 = c.floor_log2();
-        start = zero || log2 > start ? log2 : start;
-        zero = false;
-    }
-    if (zero) {
-        words = {};
-        exponent = 0;
-        return true;
-    }
-    // |c| < 2^(log2 + 1) fits Q1.x from exponent log2 on, or log2 - 1 for exactly -2^log2.
-    for (int e = start - 1 < min_exponent ? min_exponent : start - 1; e <= max_exponent;
-         ++e) {
-        if (round_row(row, e, bits, rounding, words)) {
-            exponent = e;
-            return true;
-        }
-    }
-    return false;
-}
-
-}  // namespace
 
 LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, WordFormat input,
                        MatrixWords& out) {
-    // The fourth column multiplies one_word, not 1.0: scale it so that the sum comes out right.
-    const Rational one_value = Rational(input.one_word(), std::int64_t{1} << input.fraction);
     out.affine = exact[3][0].is_zero() && exact[3][1].is_zero() && exact[3][2].is_zero();
     if (out.affine && exact[3][3].is_zero()) return LoadStatus::exponent_out_of_range;
     for (std::size_t r = 0; r < 4; ++r) {
@@ -57,9 +13,7 @@ LoadStatus load_matrix(const RationalMatrix& exact, const MachineSpec& spec, Wor
         if (out.affine) {
             for (Rational& c : row) c = c / exact[3][3];
         }
-        row[3] = row[3] / one_value;
-        if (!quantize_row(row, spec.coefficient_bits, spec.coefficient_rounding, out.word[r],
-                          out.exponent[r]))
+        if (!quantize_row(for_words(row, input), spec, out.word[r], out.exponent[r]))
             return LoadStatus::exponent_out_of_range;
     }
     for (std::size_t r = 0; r < 3; ++r) {
@@ -112,7 +66,10 @@ Point TransformUnit::affine(const Words& v) const {
 }
 
 Point TransformUnit::divided(const Words& v) const {
-    Accumulators acc{sum(Row::x, v), sum(Row::y, v), sum(Row::z, v), sum_w(v)};
+    return quotients({sum(Row::x, v), sum(Row::y, v), sum(Row::z, v), sum_w(v)});
+}
+
+Point TransformUnit::quotients(Accumulators acc) const {
     if (spec_.divide_order == DivideOrder::round_first && !matrix_.affine) {
         // The setting that shows what this costs: all sums first lose the product's low bits.
         for (std::int64_t& a : acc)

@@ -153,6 +153,9 @@ public:
 
     Point affine(const Words& v) const;
     Point divided(const Words& v) const;
+    // A row's sum, and what the divider makes of the four sums.
+    std::int64_t sum(Row row, const Words& v) const;
+    Point quotients(Accumulators acc) const;
     // One row of an affine matrix with `fraction` fraction bits, by a shift or by the divider.
     std::int64_t affine_row(Row row, const Words& v, int fraction) const;
 
@@ -160,7 +163,6 @@ public:
     const MachineSpec& spec() const { return spec_; }
 
 private:
-    std::int64_t sum(Row row, const Words& v) const;
     std::int64_t sum_w(const Words& v) const;
     Quotient quotient(Row row, const Accumulators& acc, int fraction, int bits) const;
 

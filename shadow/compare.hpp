@@ -20,6 +20,7 @@
 #include "shadow/receiver.hpp"
 #include "shadow/window.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace umbra78::shadow {
@@ -34,8 +35,15 @@ struct LightMap {
     Lookup lookup;
     Background background;
     Window window{};  // of percentage and filtered_depth lookup
+    // Whether the map is the face of a cube (hw/sectors.hpp): places and texels beyond its edge are
+    // those at its edge.
+    bool is_face = false;
 
     std::uint32_t texel(std::int64_t x, std::int64_t y) const {
+        if (is_face) {
+            x = std::clamp<std::int64_t>(x, 0, spec.size_px() - 1);
+            y = std::clamp<std::int64_t>(y, 0, spec.size_px() - 1);
+        }
         if (!on_map(spec, x, y)) return spec.background();
         return store.depth[store.address(static_cast<int>(x), static_cast<int>(y))];
     }
@@ -103,7 +111,8 @@ std::uint8_t window_darkness(const LightMap<Depth>& map, const LightPlace& at,
 template <class Depth>
 std::uint8_t darkness(const LightMap<Depth>& map, const hw::Point& p, const hw::DitherWords& d,
                       const hw::TapBytes& noise = {}, const ReceiverPlane* plane = nullptr) {
-    const LightPlace at = light_place(map.spec, p, d);
+    const LightPlace at =
+        map.is_face ? face_place(map.spec, p, d) : light_place(map.spec, p, d);
     if (!at.inside) return mask_lit;
     if constexpr (hw::built(hw::Feature::windows))
         if (has_window(map.lookup)) return window_darkness(map, at, noise);

@@ -59,6 +59,18 @@ constexpr LightPlace light_place(const hw::MachineSpec& spec, const hw::Point& p
     return {inside, x, y, code};
 }
 
+// The same on the face of a cube, to whose edge a place beyond it is moved (hw/sectors.hpp).
+constexpr LightPlace face_place(const hw::MachineSpec& spec, hw::Point p,
+                                const hw::DitherWords& d) {
+    const std::int64_t edge = volume_edge(spec);
+    const auto on_face = [&](std::int64_t v) {
+        return v < -edge ? -edge : v >= edge ? edge - 1 : v;
+    };
+    p.x = on_face(p.x + d.x);
+    p.y = on_face(p.y + d.y);
+    return light_place(spec, p, hw::DitherWords{0, 0});
+}
+
 // --- texels and weights ---------------------------------------------------------------------
 
 // Whether the lookup reads four texels: without fraction bits there are no weights.

@@ -41,10 +41,12 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
         for (LightBuffers<Depth>& light : of_source) {
             light.map = {spec.xy_bits, carver.take<Depth>(pixels)};
             light.second = {spec.xy_bits, carver.take<Depth>(shape.map_layers > 1 ? pixels : 0)};
-            light.mask = planes(1);
+            const bool has_mask = !shape.sectored[s] || &light == &of_source.front();
+            light.mask = has_mask ? planes(1) : of_source.front().mask;
         }
         LightBuffers<Depth>& first = of_source.front();
-        first.joined = of_source.size() > 1 ? planes(1) : first.mask;
+        const bool has_area = of_source.size() > 1 && !shape.sectored[s];
+        first.joined = has_area ? planes(1) : first.mask;
         first.edges = planes(1);
         first.filtered = planes(1);
     }
@@ -64,8 +66,10 @@ FrameShape::FrameShape(const Scene& scene, int layers)
     : lights(scene.light_count), sources(scene.sources_used()), channels(scene.channels),
       map_layers(layers) {
     fixed::require(scene.in_order(), "frame carved for too many lights");
-    for (std::size_t s = 0; s < sources; ++s)
+    for (std::size_t s = 0; s < sources; ++s) {
         lights_of[s] = static_cast<std::uint8_t>(scene.source(s).lights);
+        sectored[s] = scene.source(s).sectored;
+    }
 }
 
 template <class Depth>

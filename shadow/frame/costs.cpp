@@ -111,6 +111,7 @@ bool is(Omission a, const Omission (&of)[N]) {
 
 StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
                                 std::size_t light) {
+    if (!has_pass(drawn.inputs, light)) return {};
     const Settings& s = drawn.inputs.settings;
     const bool affine = drawn.inputs.matrices.lights[light].observer_to_light.affine;
     const bool when_drawn = method_of(drawn.inputs).tests_when_drawn();
@@ -125,9 +126,8 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
                                  : plan.leaves_out(Omission::background_pixels) ? ledger.visible
                                                                                 : read;
     StageCycles c = points(tested, s, affine, !affine || plan.unit_work().divide, plan);
-    if (s.receiver == Receiver::plane)
-        c.operations = method_of(drawn.inputs)
-                           .units(ledger.visible * cost::receiver_plane, s);
+    c.operations = method_of(drawn.inputs)
+                       .units(ledger.visible * test_operations(drawn.inputs, light), s);
     if (!plan.leaves_out(Omission::noise))
         c.noise = (when_drawn ? tested : read) *
                   word(hw::ClockedNoise::cycles_per_pixel(drawn_dither(s), s.timing));

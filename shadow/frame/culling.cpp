@@ -1,5 +1,6 @@
 #include "shadow/frame/culling.hpp"
 
+#include "hw/sectors.hpp"
 #include "shadow/post_process.hpp"
 
 #include <algorithm>
@@ -87,26 +88,59 @@ struct Extremes {
     }
 };
 
+// The eight corners of a box, in the order of `box.x[k & 1]`, y by the next bit, z by the third.
+template <class Visit>
+void for_corners(const WordBox& box, Visit&& visit) {
+    for (std::size_t corner = 0; corner < 8; ++corner)
+        visit(hw::Words{box.x[corner & 1], box.y[corner >> 1 & 1], box.z[corner >> 2]});
+}
+
 // Whether a point of the box, dithered, may lie in the light's volume.
 bool may_reach(const WordBox& box, const FrameInputs& in, const hw::MatrixWords& matrix) {
     const Settings& s = in.settings;
     if (!matrix.affine && s.machine.divide_order == hw::DivideOrder::round_first) return true;
     const hw::TransformUnit unit(s.machine, matrix);
     Extremes x, y, z;
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-        const hw::Point p =
-            unit({box.x[corner & 1], box.y[corner >> 1 & 1], box.z[corner >> 2]});
+    bool decided = true;
+    for_corners(box, [&](const hw::Words& words) {
+        const hw::Point p = unit(words);
         // Overflow saturates, which keeps the order; without a quotient there is none.
-        if (p.status == hw::DivideStatus::divisor_not_positive) return true;
+        decided = decided && p.status != hw::DivideStatus::divisor_not_positive;
         x.add(p.x);
         y.add(p.y);
         z.add(p.z + s.machine.depth_offset());
-    }
+    });
+    if (!decided) return true;
     const std::int64_t noise = max_dither(s);
     const std::int64_t edge = std::int64_t{s.machine.half_px()} << s.machine.fraction_bits;
     return !x.beyond(-edge - noise, edge - 1 + noise) &&
            !y.beyond(-edge - noise, edge - 1 + noise) &&
            !z.beyond(0, s.machine.deepest_drawn());
+}
+
+// Whether a point of the box may lie in a sector's cone: a row's sum takes its min and max at
+// corners, too.
+bool may_lie_in(int sector, const WordBox& box, const FrameInputs& in,
+                const hw::MatrixWords& matrix) {
+    const hw::SectorUnit unit(in.settings.machine, matrix, sector);
+    std::array<Extremes, 3> d;
+    for_corners(box, [&](const hw::Words& words) {
+        const hw::Direction at = unit.direction(words);
+        for (std::size_t a = 0; a < 3; ++a) d[a].add(at[a]);
+    });
+    const Extremes& ahead = d[hw::axis_of(sector)];
+    const std::int64_t w_max = hw::looks_back(sector) ? -ahead.min : ahead.max;
+    return w_max > 0 && std::ranges::all_of(d, [&](const Extremes& e) {
+               return &e == &ahead || !e.beyond(-w_max, w_max);
+           });
+}
+
+// Whether something in the box may come into the light's volume.
+bool may_reach_light(const WordBox& box, const FrameInputs& in, std::size_t light) {
+    const hw::MatrixWords& matrix = in.matrices.lights[light].observer_to_light;
+    const Source source = in.scene.source_of(light);
+    if (!source.sectored) return may_reach(box, in, matrix);
+    return may_lie_in(static_cast<int>(light - source.first_light), box, in, matrix);
 }
 
 }  // namespace
@@ -119,7 +153,7 @@ Reach cull(const FrameInputs& in, std::size_t light) {
         if (!observer_sees) {
             ++reach.outside_observer;
         } else if (!reach.into_light) {
-            reach.into_light = may_reach(word_box(footprint, in.settings), in, m.observer_to_light);
+            reach.into_light = may_reach_light(word_box(footprint, in.settings), in, light);
         }
     };
     const auto count_all = [&](const auto& surfaces, auto light_view, auto observer_view) {

@@ -160,6 +160,36 @@ void join(const Source& source, FrameBuffers<Depth>& frame) {
 }
 
 template <class Depth>
+void test_light(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+                FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    if (plan.leaves_out(Omission::same_mask, l)) return;
+    if (plan.leaves_out(Omission::post_process, l)) {
+        counts.lights[l].post_process = {};
+        light_up(frame.lights[l].mask);
+    } else {
+        method_of(in).stages<Depth>().cast(in, plan, l, frame, counts);
+    }
+}
+
+// The sectors have one mask, of which each writes the pixels in its cone; it is kept whole or not.
+template <class Depth>
+void test_sectors(const FrameInputs& in, const FramePlan& plan, const Source& source,
+                  FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    const std::size_t first = source.first_light;
+    if (plan.leaves_out(Omission::same_mask, first)) return;
+    light_up(frame.lights[first].mask);
+    const bool classified = in.settings.sector_test == SectorTest::classified;
+    bool needed = false;  // by any
+    for (std::size_t k = 0; k < source.lights; ++k) {
+        counts.lights[first + k].post_process = {};
+        needed = needed || !plan.leaves_out(Omission::post_process, first + k);
+    }
+    for (std::size_t k = 0; k < source.lights; ++k)
+        if (classified ? needed && k == 0 : !plan.leaves_out(Omission::post_process, first + k))
+            method_of(in).stages<Depth>().cast(in, plan, first + k, frame, counts);
+}
+
+template <class Depth>
 void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                   FrameCounts& counts) {
     if (plan.leaves_out(Omission::same_observer)) return;
@@ -211,16 +241,16 @@ template <class Depth>
 void cast_shadows(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                   FrameCounts& counts) {
     require_fits(in, frame);
-    for (std::size_t l = 0; l < in.scene.light_count; ++l) {
-        if (plan.leaves_out(Omission::same_mask, l)) continue;
-        if (plan.leaves_out(Omission::post_process, l)) {
-            counts.lights[l].post_process = {};
-            light_up(frame.lights[l].mask);
+    for (std::size_t s = 0; s < in.scene.sources_used(); ++s) {
+        const Source source = in.scene.source(s);
+        if (source.sectored) {
+            test_sectors(in, plan, source, frame, counts);
         } else {
-            method_of(in).stages<Depth>().cast(in, plan, l, frame, counts);
+            for (std::size_t k = 0; k < source.lights; ++k)
+                test_light(in, plan, source.first_light + k, frame, counts);
         }
+        join(source, frame);
     }
-    for (std::size_t s = 0; s < in.scene.sources_used(); ++s) join(in.scene.source(s), frame);
 }
 
 template <class Depth>

@@ -1,10 +1,23 @@
 #include "shadow/frame/inputs.hpp"
 
+#include "hw/sectors.hpp"
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
 
 namespace umbra78::shadow {
 namespace {
+
+// The rows that all sectors of a source share are the rows W of those that look along +x, +y, +z.
+hw::LoadStatus load_sector(const Scene& scene, const Source& source,
+                           const hw::RationalMatrix& exact, const hw::MachineSpec& spec,
+                           hw::MatrixWords& out) {
+    std::array<hw::ExactRow, 3> directions;
+    for (std::size_t a = 0; a < 3; ++a)
+        directions[a] = raster::observer_to_light(scene.observer,
+                                                  scene.lights[source.first_light + 2 * a], spec,
+                                                  0)[3];
+    return hw::load_sector(directions, exact[2], spec, hw::screen_words(spec), out);
+}
 
 FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settings,
                        FrameMatrices& out) {
@@ -22,9 +35,11 @@ FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settin
         return bias_out_of_range;
     const hw::RationalMatrix exact =
         raster::observer_to_light(scene.observer, light, spec, m.bias_quanta_q16);
-    if (hw::load_matrix(exact, spec, hw::screen_words(spec), m.observer_to_light) !=
-        hw::LoadStatus::ok)
-        return shadow_matrix;
+    const hw::LoadStatus loaded =
+        scene.source_of(l).sectored
+            ? load_sector(scene, scene.source_of(l), exact, spec, m.observer_to_light)
+            : hw::load_matrix(exact, spec, hw::screen_words(spec), m.observer_to_light);
+    if (loaded != hw::LoadStatus::ok) return shadow_matrix;
     const Method& method = *method_of(settings);
     if (method.load != nullptr) method.load(exact, settings, m);
     return ok;
@@ -37,6 +52,7 @@ bool Scene::in_order() const {
     std::size_t next = 0;
     for (std::size_t s = 0; s < source_count; ++s) {
         if (sources[s].first_light != next || sources[s].lights == 0) return false;
+        if (sources[s].sectored && sources[s].lights != hw::sector_count) return false;
         next += sources[s].lights;
     }
     return source_count == 0 || next == light_count;
@@ -49,8 +65,10 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     if (!missing_feature(scene, settings).empty()) return not_built;
     if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
     const bool when_drawn = method_of(settings)->tests_when_drawn();
-    for (std::size_t s = 0; s < scene.sources_used(); ++s)
+    for (std::size_t s = 0; s < scene.sources_used(); ++s) {
         if (when_drawn && scene.source(s).has_area()) return area_when_drawn;
+        if (scene.source(s).sectored && !method_of(settings)->takes_sectors) return sectors_refused;
+    }
     out.object = scene.streamed ? raster::object_format(scene.largest_streamed)
                                 : raster::object_format(scene.surfaces());
     if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=

@@ -29,8 +29,10 @@ struct Source {
     std::size_t first_light = 0, lights = 1;
     raster::View place{};          // shading is from the eye of this view
     raster::Levels level_q8 = 256;
+    // Its six lights are the sectors of one place (hw/sectors.hpp), and they have one mask.
+    bool sectored = false;
 
-    bool has_area() const { return lights > 1; }
+    bool has_area() const { return lights > 1 && !sectored; }
 };
 
 struct Scene {
@@ -53,7 +55,14 @@ struct Scene {
     Source source(std::size_t s) const {
         return source_count == 0 ? Source{s, 1, lights[s], 256} : sources[s];
     }
-    // The lights and sources are numbered through, and there is room for them.
+    // The source that light l is of.
+    Source source_of(std::size_t l) const {
+        std::size_t s = 0;
+        while (s + 1 < sources_used() && source(s + 1).first_light <= l) ++s;
+        return source(s);
+    }
+    // The lights and sources are numbered through, there is room for them, and what has sectors has
+    // six.
     bool in_order() const;
 };
 
@@ -66,6 +75,7 @@ enum class FrameStatus : std::uint8_t {
     shadow_matrix,
     bias_out_of_range,
     area_when_drawn,  // a source has an area, and the method tests points as they are drawn
+    sectors_refused,  // a source has sectors, and the method has none
 };
 
 // A light's matrices, rounded to the unit's words.

@@ -4,6 +4,7 @@
 #include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/drawing.hpp"
 #include "shadow/frame/filter_cost.hpp"
+#include "shadow/frame/sector_cost.hpp"
 #include "shadow/lines.hpp"
 
 #include <algorithm>
@@ -161,6 +162,19 @@ hw::Operations map_operations(const FrameInputs& in, const raster::DrawCounts& c
     if (map_layers(s) > 1)
         o += counts.samples * cost::second_sample +
              (std::uint64_t{1} << (2 * s.machine.xy_bits)) * cost::midpoint_texel;
+    return o;
+}
+
+bool has_pass(const FrameInputs& in, std::size_t light) {
+    const Source source = in.scene.source_of(light);
+    return !source.sectored || light == source.first_light ||
+           in.settings.sector_test == SectorTest::every;
+}
+
+hw::Operations test_operations(const FrameInputs& in, std::size_t light) {
+    hw::Operations o{};
+    if (in.settings.receiver == Receiver::plane) o += cost::receiver_plane;
+    if (in.scene.source_of(light).sectored) o += cost::sector_pixel;
     return o;
 }
 

@@ -110,6 +110,12 @@ hw::Operations drawing_operations(const FrameInputs&, const hw::MatrixWords& vie
 // What map_depth and bias_slope add to the drawing of a light's view with these counts.
 hw::Operations map_operations(const FrameInputs&, const raster::DrawCounts&);
 
+// Whether the post-process goes over the frame for this light: not for a further sector whose pixels
+// the first one's pass sorts out.
+bool has_pass(const FrameInputs&, std::size_t light);
+// What such a pass takes of each visible pixel beside the pipeline.
+hw::Operations test_operations(const FrameInputs&, std::size_t light);
+
 // Of a frame that is done. Draws the light's view and the observer's once more, to count, with
 // nothing hidden and nothing stored: cycles must not depend on the order of the patches. A stream
 // is drawn with nothing hidden, and its counts are taken as they are. `other`: another light's

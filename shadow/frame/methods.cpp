@@ -23,8 +23,43 @@ hw::UnitCycles fixed_units(const hw::Operations& o, const Settings& s) {
 // --- the post-process ----------------------------------------------------------------------------
 
 template <class Depth>
+SectorMaps<Depth> sector_maps(const FrameInputs& in, std::size_t first,
+                              const FrameBuffers<Depth>& frame) {
+    SectorMaps<Depth> maps{.observer = frame.observer, .map = {}, .matrix = {}, .limit = {}};
+    for (std::size_t k = 0; k < hw::sector_count; ++k) {
+        maps.map[k] = frame.lights[first + k].map;
+        maps.matrix[k] = in.matrices.lights[first + k].observer_to_light;
+        maps.limit[k] = plane_limit(in, first + k);
+    }
+    return maps;
+}
+
+// Of one light of a source with sectors: its own pass or, for the first, the one for all of them.
+template <class Depth>
+void cast_sectors(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+                  FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    const std::size_t first = in.scene.source_of(l).first_light;
+    const SectorMaps<Depth> maps = sector_maps(in, first, frame);
+    const std::span<std::uint8_t> mask = frame.lights[first].mask;
+    if (in.settings.sector_test == SectorTest::every) {
+        counts.lights[l].post_process = sector_pass(maps, static_cast<int>(l - first), in.settings,
+                                                    work_of(plan), mask);
+    } else if (l == first) {
+        const SectorCounts counted = classified_pass(maps, in.settings, work_of(plan), mask);
+        for (std::size_t k = 0; k < counted.size(); ++k)
+            counts.lights[first + k].post_process = counted[k];
+    }
+}
+
+template <class Depth>
 void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t l,
                        FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    if constexpr (built(Feature::lights)) {
+        if (in.scene.source_of(l).sectored) {
+            cast_sectors(in, plan, l, frame, counts);
+            return;
+        }
+    }
     LightBuffers<Depth>& light = frame.lights[l];
     const hw::MatrixWords& matrix = in.matrices.lights[l].observer_to_light;
     PostProcessCounts& counted = counts.lights[l].post_process;
@@ -43,11 +78,10 @@ void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t
 template <class Depth>
 void cost_of_post_process(const FrameInputs& in, std::size_t l, const FrameBuffers<Depth>& frame,
                           const FrameCounts&, FrameLedger& ledger) {
+    if (!has_pass(in, l)) return;
     const PostProcessPipeline pipeline(in.settings, in.matrices.lights[l].observer_to_light);
-    if (in.settings.receiver == Receiver::plane) {
-        ledger.test.operations += ledger.visible * cost::receiver_plane;
-        ledger.test.units = fixed_units(ledger.test.operations, in.settings);
-    }
+    ledger.test.operations += ledger.visible * test_operations(in, l);
+    ledger.test.units = fixed_units(ledger.test.operations, in.settings);
     ledger.post_process = closed_form(
         schedule<Depth>(frame.observer.depth, in.settings.machine.background(),
                         pipeline.read_cycles, pipeline.slot_cycles),
@@ -169,6 +203,7 @@ constexpr Method post_process_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = built(Feature::surface_bias),
+    .takes_sectors = built(Feature::lights),
     .uses_transform_unit = true,
     .trace = Trace::clocked_post_process,
     .no_trace = "",
@@ -195,7 +230,7 @@ constexpr Method percentage_method = with_shares(post_process_method);
 constexpr Method correct_method{
     .name = "correct",
     .meaning = "each generated point is tested before it is shaded (Williams 1978, p. 272)",
-    .cannot = "its cost grows with everything that is drawn; no light has an area",
+    .cannot = "its cost grows with everything that is drawn; no light has an area or sectors",
     .form = Form::correct,
     .arithmetic = Arithmetic::fixed,
     .lookups = answering_lookups,
@@ -206,6 +241,7 @@ constexpr Method correct_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_sectors = false,
     .uses_transform_unit = true,
     .trace = Trace::none,
     .no_trace = "the correct form has no post-process to watch; give --set form=post_process",
@@ -220,8 +256,8 @@ constexpr Method correct_method{
 constexpr Method array_method{
     .name = "ap120b",
     .meaning = "the post-process in the floating point of an FPS AP-120B",
-    .cannot = "no correct form, no window of taps, and z_bits up to 16, because the host sends "
-              "16-bit integers",
+    .cannot = "no correct form, no window of taps, no light with sectors, and z_bits up to 16, "
+              "because the host sends 16-bit integers",
     .form = Form::post_process,
     .arithmetic = Arithmetic::ap120b,
     .lookups = array_lookups,
@@ -232,6 +268,7 @@ constexpr Method array_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_sectors = false,
     .uses_transform_unit = false,
     .trace = Trace::none,
     .no_trace = "only the fixed-point machine can be watched; give --set arithmetic=fixed",
@@ -281,7 +318,6 @@ bool method_can(const Settings& settings) {
     const Method* method = method_of(settings);
     return method != nullptr && settings.machine.z_bits <= method->max_z_bits &&
            window_in_range(settings) &&
-
            (settings.receiver == Receiver::point ||
             (method->takes_plane && !has_window(settings.lookup)));
 }

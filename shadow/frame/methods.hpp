@@ -61,6 +61,7 @@ struct Method {
     Darkness darkness;
     bool may_run_out;             // of FrameBuffers::method_memory; LightCounts::capacity says so
     bool takes_plane;             // receiver = plane
+    bool takes_sectors;           // lights that shine in all directions
     bool uses_transform_unit;     // so that the width of the coefficients changes bits and cycles
     Trace trace;
     std::string_view no_trace;    // why there is none, and the remedy

@@ -133,6 +133,14 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
         r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
         masks = masks && r.mask[l];
     }
+    // Sectors have one mask.
+    for (std::size_t s = 0; s < now.scene.sources_used(); ++s) {
+        const Source source = now.scene.source(s);
+        if (!source.sectored) continue;
+        const auto of_source = std::span(r.mask).subspan(source.first_light, source.lights);
+        const bool all = std::ranges::find(of_source, false) == of_source.end();
+        std::ranges::fill(of_source, all);
+    }
     // Tested when drawn, intensities and masks are made together: all are kept or none is.
     if (when_drawn && !(r.observer && masks)) {
         r.observer = masks = false;

@@ -31,6 +31,7 @@ constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "trian
 constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
 constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
 constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
+constexpr std::array<std::string_view, 2> sector_test_names{"classified", "every"};
 constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};
 
 template <auto Get, auto Set>
@@ -151,6 +152,10 @@ constexpr std::array table{
     choice<UMBRA78_ACCESS(array_memory)>(
         "array_memory", memory_names,
         "the AP-120B's main memory: 333 or 167 ns; no bit depends on it"),
+    choice<UMBRA78_ACCESS(sector_test)>(
+        "sector_test", sector_test_names,
+        "of a light in sectors: each pixel is sorted into its own, or goes through every one; no "
+        "bit depends on it"),
     whole<UMBRA78_ACCESS(timing.clock_ns)>("clock_ns", "ns", 100, 10000,
                                            "a cycle; no bit depends on this or what follows"),
     whole<UMBRA78_ACCESS(timing.multiply_ns)>("multiply_ns", "ns", 1, 400,

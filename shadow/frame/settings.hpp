@@ -11,6 +11,7 @@
 #include "shadow/bias.hpp"
 #include "shadow/clocked/timed_test.hpp"
 #include "shadow/filters/composite.hpp"
+#include "shadow/sectors.hpp"
 #include "shadow/window.hpp"
 
 #include <cstdint>
@@ -46,6 +47,7 @@ struct Settings : TimedTest {
     std::int32_t density_q8 = 218;       // of the shadow: 0 invisible, 256 nothing is left
     Form form = Form::post_process;
     Arithmetic arithmetic = Arithmetic::fixed;
+    SectorTest sector_test = SectorTest::classified;
     hw::ap120b::MemorySpeed array_memory = hw::ap120b::MemorySpeed::standard;
 };
 

@@ -47,6 +47,7 @@ constexpr ScenePicture table[] = {
     {.name = "depth_mean5", .shows = "the wrong way: 5 x 5 depths' mean", .scene = "pcf.toml",
      .set = "lookup=filtered_depth"},
     {.name = "three_lights", .shows = "three coloured lights", .scene = "three_lights.toml"},
+    {.name = "sectors", .shows = "a lamp among spheres, six maps", .scene = "sectors.toml"},
     {.name = "penumbra", .shows = "a table under a lamp with area", .scene = "penumbra.toml"},
 };
 

@@ -26,8 +26,11 @@ std::vector<LightCost> light_costs(const LoadedScene& scene,
             cost.filters += map.filters(true);
         }
         next += cost.maps;
-        // A map and a mask each; the joined mask of several; two filtered ones; the shares.
-        cost.bytes = pixels * (cost.maps * (z_bytes + 1) + (cost.maps > 1 ? 1 : 0) + 2 + channels);
+        // Maps; a mask each, or one of all sectors; an area's joined mask; two filtered; the shares.
+        const std::uint64_t masks = scene.lights[l].sectored    ? 1
+                                    : scene.lights[l].has_area() ? cost.maps + 1
+                                                                 : cost.maps;
+        cost.bytes = pixels * (cost.maps * z_bytes + masks + 2 + channels);
         costs.push_back(cost);
     }
     return costs;

@@ -182,7 +182,9 @@ std::vector<PlaneOf> RenderJob::planes() const {
         all.emplace_back(Plane::intensity, 0, c);
         for (std::size_t s = 0; s < sources; ++s) all.emplace_back(Plane::direct, s, c);
     }
-    add(Plane::mask, scene.light_count);
+    for (std::size_t l = 0; l < scene.light_count; ++l)  // sectors have one
+        if (!scene.source_of(l).sectored || scene.source_of(l).first_light == l)
+            all.emplace_back(Plane::mask, l);
     for (std::size_t s = 0; s < sources; ++s)
         if (scene.source(s).has_area()) all.emplace_back(Plane::darkness, s);
     add(Plane::edges, sources);

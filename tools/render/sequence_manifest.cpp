@@ -73,7 +73,7 @@ std::string hash_inputs(const LoadedScene& scene) {
         hash.add(light.views().size());
         hash.add(light.level_q8);
         hash.add(light.view);
-        for (const raster::View& v : light.area) hash.add(v);
+        for (const raster::View& v : light.parts) hash.add(v);
     }
     for (const shadow::Setting& s : shadow::settings_table()) hash.add(s.get(scene.settings));
     return hash.text();

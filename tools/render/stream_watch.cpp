@@ -44,7 +44,10 @@ void StreamWatch::note(const raster::Surfaces& batch) {
     note_view(scene_.observer, seen_.observer);
     seen_.lights.resize(scene_.lights.size());
     for (std::size_t l = 0; l < seen_.lights.size(); ++l)
-        note_view(scene_.lights[l].view, seen_.lights[l]);
+        for (const raster::View& view : scene_.lights[l].sectored
+                                            ? scene_.lights[l].views()
+                                            : std::span(&scene_.lights[l].view, 1))
+            note_view(view, seen_.lights[l]);
     batch.for_points([&](const raster::World& p) { note(p); });
 }
 

@@ -79,6 +79,15 @@ void warn_of_depths(const LoadedScene& scene, const raster::View& view, const st
     warn_of_cut(scene, view, cut, scene.surfaces().count(), name, loses, fits, warnings);
 }
 
+// Some window shows every direction: what near and far cut is told of the sector that sees nearest.
+void warn_of_sectors(const LoadedScene& scene, const SceneLight& light, const std::string& name,
+                     Warnings& warnings) {
+    const auto nearest = std::ranges::min_element(light.views(), {}, [&](const raster::View& v) {
+        return cut_depths(v, scene.surfaces()).nearest;
+    });
+    warn_of_depths(scene, *nearest, name, loses_shadow, warnings);
+}
+
 void warn_of_light(const LoadedScene& scene, const raster::View& light, const std::string& name,
                    Warnings& warnings) {
     const std::size_t all = scene.surfaces().count();
@@ -144,6 +153,9 @@ std::string explain(shadow::FrameStatus status) {
         case area_when_drawn:
             return "the correct form shades by a light or not, and has no light with an area; set "
                    "form = \"post_process\", or kind = \"point\"";
+        case sectors_refused:
+            return "only the post-process on the fixed-point machine sorts into sectors; set "
+                   "form = \"post_process\" and arithmetic = \"fixed\", or kind = \"point\"";
         case bias_out_of_range: return "the bias is beyond 2^47 quanta; lower it";
     }
     return "the frame cannot be drawn";
@@ -163,8 +175,11 @@ Warnings warnings_of(const LoadedScene& scene) {
             {"empty", 0, "nothing is drawn: the scene has no [[sphere]] or other surface"});
     } else {
         for (std::size_t l = 0; l < scene.lights.size(); ++l)
-            warn_of_light(scene, scene.lights[l].view, name_of_light(l, scene.lights.size()),
-                          warnings);
+            if (const std::string name = name_of_light(l, scene.lights.size());
+                scene.lights[l].sectored)
+                warn_of_sectors(scene, scene.lights[l], name, warnings);
+            else
+                warn_of_light(scene, scene.lights[l].view, name, warnings);
         warn_of_open_surfaces(scene, warnings);
         warn_of_observer(scene, warnings);
         warn_of_words(scene, warnings);
@@ -183,7 +198,7 @@ Warnings warnings_of_stream(const LoadedScene& scene, const StreamSeen& seen) {
     for (std::size_t l = 0; l < seen.lights.size(); ++l) {
         const auto& [outside, cut] = seen.lights[l];
         const std::string name = name_of_light(l, scene.lights.size());
-        if (outside.window > 0)
+        if (outside.window > 0 && !scene.lights[l].sectored)
             warnings.push_back(
                 {"light_window", static_cast<double>(outside.window),
                  fmt::format("{} of {} primitives reach out of the {}'s picture {}; raise "

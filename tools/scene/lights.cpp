@@ -4,13 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 namespace umbra78::tools {
 namespace {
 
 using raster::Projection;
 using raster::View;
 
-enum class LightKind { directional, point, area };  // as the key's choices
+enum class LightKind { directional, point, area, sectors };  // as the key's choices
 
 // The views of the lights on an area, each fitted to the scene where the file gives nothing.
 void read_area(const TableReader& in, const raster::World& origin, ScenePoints& points,
@@ -37,9 +39,37 @@ void read_area(const TableReader& in, const raster::World& origin, ScenePoints& 
             }
             fit_view(in, view, points);
             if (in.error().any()) return;
-            light.area.push_back(view);
+            light.parts.push_back(view);
         }
     }
+}
+
+// The six views of a light that shines in all directions: a quarter turn each, as far away as the
+// target is, in the order of hw/sectors.hpp.
+void read_sectors(const TableReader& in, const raster::World& origin, ScenePoints& points,
+                  SceneLight& light) {
+    const raster::World from = less(in.needed_point("position"), origin);
+    light.sectored = true;
+    for (const auto axis : {&raster::World::x, &raster::World::y, &raster::World::z}) {
+        for (const int sign : {1, -1}) {
+            View view = light.view;
+            const std::int64_t to = std::int64_t{from.*axis} + std::int64_t{sign} * view.distance;
+            if (std::abs(to) > raster::max_world) {
+                in.report(in.need("position"),
+                          fmt::format("{} lies so far out that its sectors look beyond 32766; "
+                                      "bring its target nearer to it", in.called("position")));
+                return;
+            }
+            view.target = from;
+            view.target.*axis = static_cast<std::int32_t>(to);
+            raster::axes_from_points(from, view.target, view.axes);
+            fit_view(in, view, points);
+            view.extent = view.distance;
+            if (in.error().any()) return;
+            light.parts.push_back(view);
+        }
+    }
+    light.view = light.parts.front();
 }
 
 SceneLight read_light(const TomlNode& node, ScenePoints& points, const raster::World& origin,
@@ -63,6 +93,13 @@ SceneLight read_light(const TomlNode& node, ScenePoints& points, const raster::W
         refuse(in, "elevation", "kind", "directional");
         view.projection = Projection::perspective;
         look_from_position(in, view, origin);
+    }
+    if (kind == LightKind::sectors) {
+        if (const TomlNode* given = in.find("extent"))
+            in.report(*given, fmt::format("{} is a quarter turn of each sector; leave it out, or "
+                                          "set kind = \"point\"", in.called("extent")));
+        if (!error.any()) read_sectors(in, origin, points, light);
+        return light;
     }
     fit_view(in, view, points);
     if (kind == LightKind::area && !error.any()) read_area(in, origin, points, light);

@@ -22,13 +22,15 @@ namespace umbra78::tools {
 
 // A [[light]] of a scene: a source, as hw/MACHINE.md, section 23, calls it.
 struct SceneLight {
-    raster::View view{};             // from its place
-    std::vector<raster::View> area;  // the views of the lights on its area; empty without one
-    std::int32_t side = 0;           // of the area's square, Q15.16
+    raster::View view{};              // from its place
+    std::vector<raster::View> parts;  // of the lights on its area, or of its sectors; else empty
+    std::int32_t side = 0;            // of an area's square, Q15.16
+    bool sectored = false;
     raster::Levels level_q8 = 256;
 
+    bool has_area() const { return side > 0; }
     std::span<const raster::View> views() const {
-        return area.empty() ? std::span(&view, 1) : std::span(area);
+        return parts.empty() ? std::span(&view, 1) : std::span(parts);
     }
 };
 

@@ -81,7 +81,7 @@ LoadedScene load_streamed_scene(const std::string& path, std::span<const std::st
 }
 
 void require_one_light(const LoadedScene& scene, const std::string& what) {
-    const bool one = scene.lights.size() == 1 && scene.lights.front().area.empty();
+    const bool one = scene.lights.size() == 1 && scene.lights.front().parts.empty();
     if (!one)
         throw SceneError(fmt::format("{}: {} looks at one light with one depth map, and the scene "
                                      "has more; leave out the others", scene.name, what));

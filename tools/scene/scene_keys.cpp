@@ -30,7 +30,7 @@ constexpr std::string_view projections[] = {"orthographic", "perspective"};  // 
 constexpr std::string_view on_or_off[] = {"on", "off"};
 constexpr std::string_view up_axes[] = {"y", "z"};
 constexpr std::string_view shadings[] = {"smooth", "flat"};
-constexpr std::string_view light_kinds[] = {"directional", "point", "area"};
+constexpr std::string_view light_kinds[] = {"directional", "point", "area", "sectors"};
 constexpr NumberRange light_level_range{8, 0, 256}, samples_range{0, 2, 8};
 
 constexpr SceneKey target{.key = "target", .kind = point, .unit = world_units,
@@ -86,8 +86,9 @@ constexpr SceneKey observer_keys[] = {
 };
 constexpr SceneKey light_keys[] = {
     {.key = "kind", .kind = choice, .choices = light_kinds,
-     .meaning = "at infinity (its view is orthographic), at a point (perspective), or a square "
-                "of points, each with a depth map of its own"},
+     .meaning = "at infinity (its view is orthographic), at a point (perspective), a square of "
+                "points, each with a depth map of its own, or a point that shines in all "
+                "directions, with six maps"},
     {.key = "azimuth", .kind = number, .unit = degrees, .range = azimuth_range,
      .left_out = "must be given if directional", .example = "-100",
      .meaning = "of a directional light, as the observer's"},
@@ -98,8 +99,9 @@ constexpr SceneKey light_keys[] = {
     near_depth,
     far_depth,
     {.key = "position", .kind = point, .unit = world_units, .range = place_range,
-     .left_out = "must be given if a point or an area", .example = "[-4, 6, 5]",
-     .meaning = "of a point light, or the middle of an area, at most 32767 from its target"},
+     .left_out = "must be given unless directional", .example = "[-4, 6, 5]",
+     .meaning = "of a point light, or the middle of an area, at most 32767 from its target (which "
+                "with sectors only says at what distance a bias in texels is taken)"},
     {.key = "size", .kind = number, .unit = world_units, .range = length_range,
      .left_out = "must be given if an area", .example = "1",
      .meaning = "of an area: the side of its square, which faces the target"},

@@ -150,7 +150,8 @@ void warn_of_view(const LoadedScene& scene, const View& view, const hw::MatrixWo
                      of_offset(max, "pixels"), remedy, name)});
 }
 
-void warn_of_shadow(const LoadedScene& scene, const View& of_light, const std::string& name,
+// False if it moves nothing.
+bool warn_of_shadow(const LoadedScene& scene, const View& of_light, const std::string& name,
                     const shadow::LightMatrices& matrices, Warnings& warnings) {
     const hw::MachineSpec& spec = scene.settings.machine;
     const RealMatrix machine = real(matrices.observer_to_light, spec, hw::screen_words(spec));
@@ -165,7 +166,7 @@ void warn_of_shadow(const LoadedScene& scene, const View& of_light, const std::s
         to[2] -= bias;
         max.widen(offset(machine(from), to, of_light));
     });
-    if (max.max() <= 0.25) return;
+    if (max.max() <= 0.25) return false;
     warnings.push_back(
         {"shadow_matrix", max.max(),
          fmt::format("the matrix from observer to {} moves points by up to {}: its {} bits do "
@@ -173,6 +174,19 @@ void warn_of_shadow(const LoadedScene& scene, const View& of_light, const std::s
                      "other", name, of_offset(max, "texels of the depth map"),
                      spec.coefficient_bits,
                      spec.coefficient_bits < 24 ? "set coefficient_bits = 24, or " : "", name)});
+    return true;
+}
+
+// Of one sector, the first of which there is something to say.
+void warn_of_sector_shadows(const LoadedScene& scene, const SceneLight& light,
+                            const std::string& name,
+                            std::span<const shadow::LightMatrices> matrices, Warnings& warnings) {
+    for (int k = 0; k < hw::sector_count; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        shadow::LightMatrices of_face = matrices[at];
+        of_face.observer_to_light = hw::face_matrix(of_face.observer_to_light, k);
+        if (warn_of_shadow(scene, light.parts[at], name, of_face, warnings)) return;
+    }
 }
 
 void warn_of_objects(const LoadedScene& scene, hw::WordFormat object, Warnings& warnings) {
@@ -253,11 +267,16 @@ void warn_of_words(const LoadedScene& scene, Warnings& warnings) {
     std::size_t first = 0;  // of the source's depth maps
     for (std::size_t l = 0; l < scene.lights.size(); ++l) {
         const View& view = scene.lights[l].views().front();
-        const shadow::LightMatrices& m = matrices.lights[first];
+        const std::size_t at = first;
+        const shadow::LightMatrices& m = matrices.lights[at];
         const std::string name = name_of_light(l, scene.lights.size());
         first += scene.lights[l].views().size();
         warn_of_view(scene, view, m.world_to_light, matrices.object, name, warnings);
-        if (!warn_of_order(scene, view, name, warnings) && ordered)
+        const bool in_order = !warn_of_order(scene, view, name, warnings) && ordered;
+        if (in_order && scene.lights[l].sectored)
+            warn_of_sector_shadows(scene, scene.lights[l], name,
+                                   std::span(matrices.lights).subspan(at), warnings);
+        else if (in_order)
             warn_of_shadow(scene, view, name, m, warnings);
         warn_of_bias(scene, view, name, m, warnings);
     }

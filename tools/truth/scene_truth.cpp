@@ -36,7 +36,7 @@ TruthLight truth_light(const SceneLight& of) {
     const Real3 back = real(light.axes.back);
     const bool point = light.projection == raster::Projection::perspective;
     TruthLight made{point, back, along(real(light.target), point ? q16(light.distance) : 0, back)};
-    if (of.area.empty()) return made;
+    if (!of.has_area()) return made;
     made.side_u = times(q16(of.side), real(light.axes.right));
     made.side_v = times(q16(of.side), real(light.axes.up));
     made.points_a_side = area_points_a_side;

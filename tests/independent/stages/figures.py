@@ -1,4 +1,4 @@
-"""The figures' scene, the variants and their frames (section 15), and several lights (23)."""
+"""The figures' scene, the variants and their frames (section 15), and several lights (23, 25)."""
 import math
 import re
 
@@ -7,6 +7,7 @@ from .dicing import diced, tolerance
 from .filters import composite, dequantize, low_pass
 from .noise import dither_words
 from .notation import half_up
+from .sectors import SectorLights, sector_mask, sector_views
 from .settings import Settings, table
 from .shading import Shading
 from .shadow_test import correct_record, plain_record, post_process
@@ -52,6 +53,8 @@ def angles(azimuth, elevation):
 # Sources that are more than a view of level 256: the view, levels, and of an area size and side.
 SOURCES = {"dim": ("right", (128,), None), "red": ("sun", (256, 64, 32), None),
            "panel": ("lamp", (256,), (131072, 2))}
+# Sectored: the place, the distance, near and far.
+SECTORED = {"bulb": ((10000, 60000, 20000), 65536, (2048, 524288))}
 PLACES = {"lamp": (-327680, 262144, 131072)}
 
 
@@ -95,6 +98,11 @@ class Source:
     """Its place's view, the views of its lights, and its levels by channel."""
 
     def __init__(self, name, patches):
+        self.sectored = name in SECTORED
+        if self.sectored:
+            self.views, self.levels = [*sector_views(*SECTORED[name], patches)], (256,)
+            self.place = self.views[0]
+            return
         view_name, self.levels, square = SOURCES.get(name, (name, (256,), None))
         self.place = view(view_name, patches)
         self.views = area(view_name, *square, patches) if square else [self.place]
@@ -168,6 +176,11 @@ class Frame:
 
     def make_mask(self, light, number, _):
         s = self.s
+        for source in self.sources:
+            first = self.lights.index(source.views[0])
+            if source.sectored and first == light:
+                self.made["mask" + number] = self.mask_of_sectors(source.views, first)
+                return
         if s.form == "correct":
             self.make_observer_z()
             return
@@ -176,22 +189,32 @@ class Frame:
         if s.arithmetic == "ap120b":
             self.made["mask" + number] = array_mask(*given)
             return
-        clamp = self.lights[light].bias_quanta(s.bias_clamp, s.bias_unit, s)
-        self.made["mask" + number] = post_process(*given, clamp >> 16 if s.bias_clamp else None)
+        self.made["mask" + number] = post_process(*given, self.limit(light))
+
+    def limit(self, light):
+        clamp = self.lights[light].bias_quanta(self.s.bias_clamp, self.s.bias_unit, self.s)
+        return clamp >> 16 if self.s.bias_clamp else None
+
+    def mask_of_sectors(self, views, first):
+        numbers = range(first, first + 6)
+        return sector_mask(self.observer_z, [self.of_light("light_z", k) for k in numbers],
+                           SectorLights(self.observer, views, self.s), self.s,
+                           dither_words(self.s), [self.limit(k) for k in numbers])
 
     def visible(self):
         return [code != self.s.background_code for code in self.observer_z]
 
     def make_darkness(self, source, number, _):
         first = sum(len(other.views) for other in self.sources[:source])
-        n = len(self.sources[source].views)
+        n = 1 if self.sources[source].sectored else len(self.sources[source].views)
         masks = [self.of_light("mask", first + k) for k in range(n)]
         self.made["darkness" + number] = masks[0] if n == 1 else [
             (2 * sum(pixel) + n) // (2 * n) for pixel in zip(*masks)]
 
     def make_edges(self, source, number, _):
         darkness, passes = self.of_light("darkness", source), self.s.dequantize
-        graded = self.s.lookup == "percentage" or len(self.sources[source].views) > 1
+        of = self.sources[source]
+        graded = self.s.lookup == "percentage" or (len(of.views) > 1 and not of.sectored)
         if passes and not graded:
             darkness = dequantize(darkness, self.visible(), passes, self.s.size_px)
         self.made["edges" + number] = darkness

@@ -4,10 +4,10 @@ from fractions import Fraction
 from .notation import fits, shift_down
 
 
-def load_row(row, bits, rounding):
+def load_row(row, bits, rounding, start=-31):
     if not any(row):
-        return [0] * 4, 0
-    for e in range(-31, 32):
+        return [0] * 4, max(0, start)
+    for e in range(start, 32):
         scaled = [Fraction(a) * Fraction(2) ** (bits - 2 - e) for a in row]
         words = [rounding(a.numerator, a.denominator) for a in scaled]
         if all(fits(word, bits) for word in words):

@@ -2,6 +2,7 @@
 #include "raster/drawing_cost.hpp"
 #include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/filter_cost.hpp"
+#include "shadow/frame/sector_cost.hpp"
 #include "tests/support/machine_text.hpp"
 
 #include <gtest/gtest.h>
@@ -93,6 +94,10 @@ TEST(CostTable, SurfaceBias) {
     expect_row(row("sample, second depth kept", cost::second_sample));
     expect_row(row("texel, midpoint", cost::midpoint_texel));
     expect_row(row("visible pixel, its plane", cost::receiver_plane));
+}
+
+TEST(CostTable, Sectors) {
+    expect_row(row("visible pixel of a pass, its sector", cost::sector_pixel));
 }
 
 TEST(CostTable, Drawing) {

@@ -31,8 +31,9 @@ using A = Anything;
 // Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
 // is a compile error here until it is named, and then a failure below until the table names it too.
 static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
-static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
-              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
+static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
+              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
+                      A>);
 auto members(const Settings& s) {
     const auto& [machine, registration, lookup, background, taps, tap_places, dither, receiver] =
         static_cast<const ShadowTest&>(s);
@@ -53,7 +54,7 @@ auto members(const Settings& s) {
                            s.low_pass_passes, s.ambient_q8, s.composite, s.density_q8, s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
                            light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
-                           s.arithmetic, s.array_memory);
+                           s.arithmetic, s.array_memory, s.sector_test);
 }
 constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
 
@@ -156,6 +157,7 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"register_ns", 20},    {"divider", 0},
         {"noise_bits", 192},    {"light_banks", 1},
         {"arithmetic", 0},      {"array_memory", 0},
+        {"sector_test", 0},
         {"dram_access_ns", 200}, {"dram_cycle_ns", 375},
         {"dram_column_ns", 135}, {"dram_page_ns", 225},
         {"dram_rows", 0},       {"video", 1}};
@@ -232,6 +234,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
     all.push_back(named("array_memory", "standard", hw::ap120b::MemorySpeed::standard));
     all.push_back(named("array_memory", "fast", hw::ap120b::MemorySpeed::fast));
+    all.push_back(named("sector_test", "classified", SectorTest::classified));
+    all.push_back(named("sector_test", "every", SectorTest::every));
 
     std::size_t names = 0;
     for (const Setting& row : settings_table()) names += row.names.size();
@@ -331,6 +335,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"form", {0, 1}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
+        {"sector_test", {0, 1}},
         {"clock_ns", {100, 10000}},
         {"multiply_ns", {1, 400}},
         {"add_ns", {1, 150}},

@@ -50,6 +50,10 @@ private:
         {{{215, 140, 60}, figure_material.specular, figure_material.shininess}}};
 
     void add_source(const std::string& name, Scene& made) const {
+        if (name == "bulb") {
+            add_bulb(made);
+            return;
+        }
         struct Named {
             std::string name, view;
             raster::Levels level;
@@ -68,6 +72,19 @@ private:
             made.light_count += 3;
         }
         if (!found.level.is_grey()) made.channels = 3;
+        made.sources[made.source_count++] = source;
+    }
+    void add_bulb(Scene& made) const {
+        Source source{made.light_count, hw::sector_count, {}, 256, true};
+        const raster::World from{10000, 60000, 20000};
+        for (const auto axis : {&raster::World::x, &raster::World::y, &raster::World::z})
+            for (const int d : {65536, -65536}) {
+                raster::World to = from;
+                to.*axis += d;
+                raster::View v = lamp(from, 65536, 65536, 2048, 524288, to);
+                made.lights[made.light_count++] = v;
+            }
+        source.place = made.lights[source.first_light];
         made.sources[made.source_count++] = source;
     }
     raster::View on_panel(const raster::View& place, int i, int j) const {
@@ -118,9 +135,11 @@ private:
         return in_depths(v, near, far);
     }
     raster::View lamp(const raster::World& at, std::int32_t extent, std::int32_t distance,
-                      std::int32_t near = 0, std::int32_t far = 0) const {
+                      std::int32_t near = 0, std::int32_t far = 0,
+                      const raster::World& to = {}) const {
         raster::View v = perspective({0, 0, extent}, distance, 1, 2);
-        EXPECT_TRUE(raster::axes_from_points(at, v.target, v.axes));
+        v.target = to;
+        EXPECT_TRUE(raster::axes_from_points(at, to, v.axes));
         return in_depths(v, near, far);
     }
     // Equal depths: they are fitted to the scene.

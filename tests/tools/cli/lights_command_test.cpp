@@ -45,6 +45,31 @@ TEST_F(Program, RenderOfAnAreaHasItsMapsAndItsPenumbra) {
     EXPECT_EQ(content(folder / "a.png")[25], 0);  // gray
 }
 
+// Both of the paper's ways: one mask, and one pass against six.
+TEST_F(Program, SectorsHaveSixMapsAndOneMask) {
+    std::vector<json> reports;
+    for (const std::string way : {"classified", "every"}) {
+        const Ran ran = run("render " + scenes + "sectors.toml --set xy_bits=7 --set sector_test=" +
+                            way + " --json --out " + way + ".png");
+        ASSERT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_EQ(ran.err, "");
+        reports.push_back(parse_json(ran.out));
+        const json& hashes = reports.back()["hashes"];
+        EXPECT_TRUE(hashes.contains("light_z6"));
+        EXPECT_TRUE(hashes.contains("mask"));
+        EXPECT_FALSE(hashes.contains("mask2"));
+        EXPECT_EQ(reports.back()["lights"]["lights"][0]["depth_maps"], 6);
+    }
+    EXPECT_EQ(reports[0]["hashes"], reports[1]["hashes"]);
+    const auto transformation = [&](std::size_t k) {
+        return reports[k]["lights"]["lights"][0]["transformation_cycles"].get<std::uint64_t>();
+    };
+    EXPECT_EQ(transformation(1), 6 * transformation(0));
+    // Truth knows one lamp, and the machine finds its shadows.
+    const json& error = reports[0]["error"];
+    EXPECT_LT(error["false_shadow"].get<double>(), 0.03) << error.dump();
+}
+
 TEST_F(Program, PlanGivesTheReasonOfEachLight) {
     const Ran ran = run("plan " + scenes + "three_lights.toml" + small +
                         "--set light2.target=[0,300,0] --set light2.extent=2 --json");
@@ -75,6 +100,7 @@ TEST_F(Program, WhatTakesOneGreyLightRefusesOthers) {
     const std::string lights = scenes + "three_lights.toml", area = scenes + "penumbra.toml";
     refuses("trace " + lights + " --pixel 3,4", "looks at one light with one depth map");
     refuses("study error-time " + area + " --quick", "looks at one light with one depth map");
+    refuses("trace " + scenes + "sectors.toml --pixel 3,4", "looks at one light with one depth map");
     refuses("cycles " + area + " --all", "looks at one light with one depth map");
     refuses("animate " + lights + " --observer 0:10 --frames 2", "an animation is grey");
     refuses("pack " + scenes + "figures.toml --set light2.level=1 --out a.u78p",

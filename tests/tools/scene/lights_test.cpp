@@ -1,4 +1,5 @@
 // The lights of a scene file: several, on an area, coloured; and what is wrong with them in a line.
+#include "hw/sectors.hpp"
 #include "tests/tools/scene/malformed.hpp"
 #include "tools/scene/scene_file.hpp"
 
@@ -62,7 +63,7 @@ TEST(SceneLights, AnAreaHasAViewForEachOfItsPoints) {
     const LoadedScene scene = lit_by(one_ball + "[light]\nkind = \"area\"\nposition = [0, 0, 8]\n"
                                             "target = [0, 0, 0]\nsize = 2\nsamples = 4\n");
     ASSERT_EQ(scene.lights.size(), 1u);
-    const std::vector<raster::View>& views = scene.lights[0].area;
+    const std::vector<raster::View>& views = scene.lights[0].parts;
     ASSERT_EQ(views.size(), 16u);
     for (std::size_t k = 0; k < views.size(); ++k) {
         const raster::View& v = views[k];
@@ -80,6 +81,59 @@ TEST(SceneLights, AnAreaHasAViewForEachOfItsPoints) {
     EXPECT_EQ(view.light_count, 16u);
     EXPECT_EQ(view.sources[0].lights, 16u);
     EXPECT_EQ(view.sources[0].place.distance, 8 << 16);
+}
+
+TEST(SceneLights, SectorsAreSixViewsOfAQuarterTurn) {
+    const LoadedScene scene = lit_by(one_ball + "[light]\nkind = \"sectors\"\n"
+                                                "position = [3, 1, 2]\ntarget = [3, 1, 0]\n");
+    const std::span<const raster::View> views = scene.lights[0].views();
+    ASSERT_EQ(views.size(), 6u);
+    EXPECT_TRUE(scene.view().sources[0].sectored);
+    EXPECT_FALSE(scene.view().sources[0].has_area());
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        const raster::View& v = views[k];
+        EXPECT_EQ(v.projection, raster::Projection::perspective);
+        EXPECT_EQ(v.extent, v.distance);  // a right angle
+        EXPECT_EQ(v.distance, 2 << 16);
+        EXPECT_LT(v.near_depth, v.far_depth);
+        const std::int32_t sign = k % 2 == 0 ? -1 : 1;  // back is toward the viewer
+        raster::Axis back{0, 0, 0};
+        back[k / 2] = sign * (1 << 30);
+        EXPECT_EQ(v.axes.back, back) << k;
+        const std::array<std::int32_t, 3> target{v.target.x, v.target.y, v.target.z};
+        const std::array<std::int32_t, 3> from{3 << 16, 1 << 16, 2 << 16};
+        for (std::size_t a = 0; a < 3; ++a)
+            EXPECT_EQ(target[a], from[a] - (a == k / 2 ? 2 * sign * 65536 : 0)) << k;
+    }
+    // Each row of hw::faces is a view's right, down and forward.
+    for (std::size_t k = 0; k < views.size(); ++k)
+        for (std::size_t a = 0; a < 3; ++a) {
+            const hw::Face& face = hw::faces[k];
+            const auto part = [&](const hw::FaceAxis& axis) {
+                return axis.of != a ? 0 : axis.negated ? -(1 << 30) : 1 << 30;
+            };
+            EXPECT_EQ(part(face.x), views[k].axes.right[a]) << k;
+            EXPECT_EQ(part(face.y), -views[k].axes.up[a]) << k;
+            EXPECT_EQ(part(face.w), -views[k].axes.back[a]) << k;
+        }
+}
+
+// No direction lies beside a light that shines in all of them.
+TEST(SceneLights, SectorsWarnOfNoWindow) {
+    const std::string among = "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n" + one_ball +
+                              "[light]\nposition = [1.5, 0, 0]\ntarget = [0, 0, 0]\n"
+                              "near = 0.25\nfar = 8\nkind = ";
+    const auto keys = [](const LoadedScene& scene) {
+        std::string all;
+        for (const Warning& w : scene.warnings) all += w.line + "\n";
+        return all;
+    };
+    EXPECT_NE(keys(lit_by(among + "\"point\"\n")).find("lie beside or behind the light"),
+              std::string::npos);
+    EXPECT_EQ(keys(lit_by(among + "\"sectors\"\n[settings]\ncoefficient_bits = 24\n")), "");
+    EXPECT_NE(keys(lit_by(among + "\"sectors\"\n", {"light.near=0.75"}))
+                  .find("nearer than near = 0.75"),
+              std::string::npos);
 }
 
 TEST(SceneLights, AnOverrideNamesOneOfSeveral) {
@@ -107,6 +161,19 @@ TEST(SceneLights, WhatIsWrongIsSaidInALine) {
         {one_ball + "[light]\nazimuth = 0\nsamples = 2\n",
          "a.toml:6: 'samples' in [light] needs kind = \"area\""},
         {lamp, "a.toml:4: [light] has no 'size'; add size = 1"},
+        {one_ball + "[light]\nkind = \"sectors\"\nposition = [0, 0, 8]\nextent = 3\n",
+         "a.toml:7: 'extent' in [light] is a quarter turn of each sector; leave it out, or set "
+         "kind = \"point\""},
+        {one_ball + "[light]\nkind = \"sectors\"\nposition = [0, 0, 30000]\n",
+         "a.toml:6: 'position' in [light] lies so far out that its sectors look beyond 32766; "
+         "bring its target nearer to it"},
+        {one_ball + "[light]\nkind = \"sectors\"\nposition = [0, 0, 0]\n",
+         "a.toml:6: 'position' in [light] is its target, the middle of the scene; move one of "
+         "them"},
+        {one_ball + "[light]\nkind = \"sectors\"\nposition = [0, 0, 8]\n[settings]\n"
+                    "form = \"correct\"\n",
+         "a.toml: only the post-process on the fixed-point machine sorts into sectors; set "
+         "form = \"post_process\" and arithmetic = \"fixed\", or kind = \"point\""},
         {lamp + "size = 0\n", "a.toml:7: 'size' in [light] is 0; its range is 2^-16 .. 32767"},
         {lamp + "size = 1\nsamples = 9\n",
          "a.toml:8: 'samples' in [light] is 9; its range is 2 .. 8"},

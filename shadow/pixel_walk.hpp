@@ -1,0 +1,73 @@
+// The walk of the post-process over the observer's frame: which pixels it visits, in which order,
+// and the noise that each of them gets.
+//
+// Pixels go row by row from the top. The noise is clocked at every pixel, visible or not, so that a
+// pixel's noise depends on its place alone.
+#pragma once
+
+#include "shadow/lines.hpp"
+#include "shadow/post_process.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace umbra78::shadow {
+
+struct WalkedPixel {
+    int x, y;
+    std::size_t address;
+    std::uint32_t code;
+    bool visible;
+    hw::DitherWords dither;
+    hw::TapBytes taps;
+};
+
+// Calls `line(y)` for a scan line that is left out because nothing in it is visible, and
+// `pixel(WalkedPixel)` for every pixel of the others. `noisy_taps`: a pixel's taps that read noise.
+template <class Depth, class Line, class Pixel>
+void walk_pixels(const hw::FrameStore<const Depth>& observer, const ShadowTest& test,
+                 const PostProcessWork& work, int noisy_taps, Line&& line, Pixel&& pixel) {
+    const hw::MachineSpec& spec = test.machine;
+    const bool draws_noise = hw::built(hw::Feature::dither) && work.noise;
+    const int size = spec.size_px();
+    const LineSet lines =
+        work.empty_lines ? LineSet::all(size)
+                         : lines_with_visible<Depth>(observer.depth, size, spec.background());
+    for (int y = 0; y < size; ++y) {
+        if (!lines.has(y)) {
+            line(y);
+            continue;
+        }
+        hw::NoiseSource noise(drawn_dither(test), spec, 0, y);
+        hw::TapNoise tap_noise(test.dither.seed, noisy_taps, spec, 0, y);
+        for (int x = 0; x < size; ++x) {
+            const hw::DitherWords d = draws_noise ? noise.next() : hw::DitherWords{0, 0};
+            const hw::TapBytes taps = noisy_taps > 0 ? tap_noise.next() : hw::TapBytes{};
+            const std::size_t address = observer.address(x, y);
+            const std::uint32_t code = observer.depth[address];
+            pixel(WalkedPixel{x, y, address, code, code != spec.background(), d, taps});
+        }
+    }
+}
+
+// The plane of a visible pixel whose results are `at`; `transform` takes words to results.
+template <class Depth, class Transform>
+ReceiverPlane plane_of(const hw::FrameStore<const Depth>& observer, const Transform& transform,
+                       const ShadowTest& test, const WalkedPixel& pixel, const hw::Point& at,
+                       std::int64_t limit) {
+    int beside_x = 0, beside_y = 0, below_x = 0, below_y = 0;
+    const std::uint32_t none = test.machine.background();
+    if (!nearer_neighbour(observer, none, pixel.x, pixel.y, 1, 0, beside_x, beside_y) ||
+        !nearer_neighbour(observer, none, pixel.x, pixel.y, 0, 1, below_x, below_y))
+        return {at, 0, 0, limit};
+    const auto result = [&](int px, int py) {
+        return transform(pixel_words(px, py, observer.depth[observer.address(px, py)], test));
+    };
+    return receiver_plane(at, result(beside_x, beside_y), result(below_x, below_y), limit);
+}
+
+constexpr bool has_plane(const ShadowTest& test) {
+    return hw::built(hw::Feature::surface_bias) && test.receiver == Receiver::plane;
+}
+
+}  // namespace umbra78::shadow
