@@ -31,17 +31,31 @@ inline constexpr Operations centre_sample{6, 2, 4, 1, 22, 2};
 inline constexpr Operations leaf_sample{3, 0, 0, 0, 0, 2};
 // Two tangents, their product and its length in 30-bit words; a root and three quotients.
 inline constexpr Operations corner_normal{48, 9, 36, 4, 30 + 3 * 15, 0};
-// The normal at the leaf (18 products), its length, N.l, N.v, r, S; a root and two quotients;
-// intensity and direct share written.
-constexpr Operations shaded_sample(int shininess) {
+// Phong: the normal at the leaf (18 products), its length, N.l, N.v, r, S; a root and two
+// quotients; intensity and direct share written. Lambert: of N.v the sign, no r, no powers and no
+// specular level. Blinn: in place of r and the quotient N.v the halfway direction (a root, three
+// quotients) and N.h, and two powers more. None: the material's levels, written.
+constexpr Operations shaded_sample(int shininess, ShadingRule rule = ShadingRule::phong) {
     const auto n = static_cast<std::uint64_t>(shininess);
-    return {40 + n, 34 + n, 18 + 12 + 12 + 4 + n, 3, 30 + 2 * 15, 2};
+    switch (rule) {
+        case ShadingRule::phong: return {40 + n, 34 + n, 18 + 12 + 12 + 4 + n, 3, 30 + 2 * 15, 2};
+        case ShadingRule::blinn: return {48 + n, 41 + n, 56 + n, 7, 30 + 15 + 16 + 3 * 15 + 15, 2};
+        case ShadingRule::lambert: return {36, 32, 44, 2, 30 + 15, 2};
+        case ShadingRule::none: break;
+    }
+    return {0, 0, 0, 0, 0, 2};
 }
 // A further source: N.l and l.v (six products), r, its powers, the sum and the level; a quotient;
-// its direct share written.
-constexpr Operations shaded_source(int shininess) {
+// its direct share written. The other rules as above.
+constexpr Operations shaded_source(int shininess, ShadingRule rule = ShadingRule::phong) {
     const auto n = static_cast<std::uint64_t>(shininess);
-    return {11 + n, 12 + n, 16 + n, 1, 15, 1};
+    switch (rule) {
+        case ShadingRule::phong: return {11 + n, 12 + n, 16 + n, 1, 15, 1};
+        case ShadingRule::blinn: return {17 + n, 16 + n, 23 + n, 6, 15 + 16 + 3 * 15 + 15, 1};
+        case ShadingRule::lambert: return {5, 7, 11, 1, 15, 1};
+        case ShadingRule::none: break;
+    }
+    return {0, 0, 0, 0, 0, 1};
 }
 // A further channel: an intensity, and for each source a sum and a level.
 inline constexpr Operations channel{1, 1, 1, 0, 0, 1};
@@ -73,11 +87,18 @@ inline constexpr std::uint64_t facet_quotients = 9;  // in perspective: X, Y and
 struct SampleCost {
     int shininess = 0;
     std::size_t sources = 1, channels = 1;
+    ShadingRule rule = ShadingRule::phong;
 
+    // Without it neither places nor normals are carried through the drawing.
+    bool needs_normal() const { return rule != ShadingRule::none; }
     hw::Operations operations() const {
-        hw::Operations o = cost::shaded_sample(shininess);
-        o += (sources - 1) * cost::shaded_source(shininess);
-        o += (channels - 1) * (cost::channel + sources * cost::channel_source);
+        hw::Operations o = cost::shaded_sample(shininess, rule);
+        o += (sources - 1) * cost::shaded_source(shininess, rule);
+        if (needs_normal()) {
+            o += (channels - 1) * (cost::channel + sources * cost::channel_source);
+        } else {
+            o.accesses += (channels - 1) * (1 + sources);
+        }
         return o;
     }
 };
@@ -95,7 +116,8 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
     using hw::Operations;
     constexpr std::uint64_t leaves_a_block = std::uint64_t{leaves} * leaves;
     constexpr std::uint64_t corners_a_block = std::uint64_t{corners} * corners;
-    const std::uint64_t screen = affine ? 3 : 4, components = screen + (shades ? 3 : 0);
+    const bool normals = shades && sample.needs_normal();
+    const std::uint64_t screen = affine ? 3 : 4, components = screen + (normals ? 3 : 0);
     const auto transform = static_cast<std::uint64_t>(
         hw::transform_cycles(spec, affine) * spec.multipliers);  // an idle multiplier counts
     const std::uint64_t points = 16 * counts.subdivided() + 3 * counts.facets;
@@ -119,13 +141,13 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
         o += leaves_drawn * cost::leaf_mean + of_patches * cost::leaf_sample;
     }
     o += counts.diced_vertices * cost::diced_vertex;
-    if (shades) o += counts.diced_vertices * cost::diced_normal;
+    if (normals) o += counts.diced_vertices * cost::diced_normal;
     o += counts.triangles * cost::triangle_setup + counts.triangle_lines * cost::triangle_line +
          counts.facet_samples * cost::triangle_sample;
-    if (shades)
+    if (normals)
         o += 4 * counts.blocks * cost::corner_normal + counts.facets * cost::facet_normal +
-             counts.facet_samples * cost::corner_weights +
-             counts.samples * sample.operations();
+             counts.facet_samples * cost::corner_weights;
+    if (shades) o += counts.samples * sample.operations();
     return o;
 }
 

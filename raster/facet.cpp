@@ -145,6 +145,12 @@ const UnitVector& FacetShading::side() const {
 
 Shades FacetShading::shade(const Sample& s, Shadowed shadowed) const {
     const std::span sources = std::span(spec_.sources).first(spec_.source_count);
+    BySource<Cosines> all;
+    const std::span used = std::span(all).first(sources.size());
+    if (spec_.rule == ShadingRule::none) {
+        std::ranges::fill(used, facing_all);
+        return raster::shade(used, spec_, material_, shadowed);
+    }
     bool to_points = spec_.viewer.to_point;
     for (const ShadingSource& source : sources) to_points = to_points || source.toward.to_point;
     Weights t{1024, 0, 0};
@@ -158,10 +164,9 @@ Shades FacetShading::shade(const Sample& s, Shadowed shadowed) const {
     // The normal is turned to the facet's side that the viewer sees.
     if ((dot(n, own) < 0) != (dot(own, wide(viewer)) < 0))
         for (std::int64_t& k : n) k = -k;
-    BySource<Cosines> all;
-    for (std::size_t l = 0; l < sources.size(); ++l)
-        all[l] = cosines(n, direction(sources[l].toward, place), viewer);
-    return raster::shade(std::span(all).first(sources.size()), spec_, material_, shadowed);
+    for (std::size_t l = 0; l < used.size(); ++l)
+        used[l] = cosines(n, direction(sources[l].toward, place), viewer, spec_.rule);
+    return raster::shade(used, spec_, material_, shadowed);
 }
 
 FacetWalk::FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,

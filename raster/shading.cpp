@@ -73,12 +73,23 @@ std::uint8_t level(std::int64_t sum_q30) {
         std::min<std::int64_t>(fixed::round_shift(sum_q30, 30, Rounding::half_up), 255));
 }
 
-// Phong's term, Q1.14, of a surface that faces the light.
-std::int64_t highlight(const Cosines& c, std::int32_t shininess) {
-    std::int64_t h =
-        fixed::round_shift(2 * c.n_dot_l * c.n_dot_v, 14, Rounding::floor) - c.l_dot_v;
+// The highlight, Q1.14, of a surface that faces the light.
+std::int64_t highlight(const Cosines& c, std::int32_t shininess, ShadingRule rule) {
+    std::int64_t h = 0;
+    int squares = shininess;
+    switch (rule) {
+        case ShadingRule::phong:
+            h = fixed::round_shift(2 * c.n_dot_l * c.n_dot_v, 14, Rounding::floor) - c.l_dot_v;
+            break;
+        case ShadingRule::blinn:
+            h = c.n_dot_h;
+            squares += 2;
+            break;
+        case ShadingRule::lambert:
+        case ShadingRule::none: return 0;
+    }
     h = std::clamp<std::int64_t>(h, 0, one_q14);
-    for (int k = 0; k < shininess; ++k) h = fixed::round_shift(h * h, 14, Rounding::half_up);
+    for (int k = 0; k < squares; ++k) h = fixed::round_shift(h * h, 14, Rounding::half_up);
     return h;
 }
 
@@ -127,6 +138,7 @@ Toward toward_eye(const View& view, hw::WordFormat object) {
 BlockShading::BlockShading(const std::array<Component, 3>& world, const ShadingSpec& spec,
                            const Material& material)
     : spec_(spec), material_(material) {
+    if (spec.rule == ShadingRule::none) return;
     for (std::size_t v = 0; v < 2; ++v) {
         for (std::size_t u = 0; u < 2; ++u) {
             normal_[2 * v + u] = corner_normal(world, v, u);
@@ -142,14 +154,18 @@ UnitVector direction(const Toward& toward, const WideVector& place_1024) {
     return unit_vector(away);
 }
 
-Cosines cosines(const WideVector& n, const UnitVector& to_light, const UnitVector& to_viewer) {
+Cosines cosines(const WideVector& n, const UnitVector& to_light, const UnitVector& to_viewer,
+                ShadingRule rule) {
     const std::int64_t length =
         std::max<std::int64_t>(fixed::isqrt(static_cast<std::uint64_t>(dot(n, n))), 1);
     const WideVector l = wide(to_light), v = wide(to_viewer);
     const auto cosine = [&](const WideVector& d) {
         return fixed::round_divide(dot(n, d), length, Rounding::floor);
     };
-    return {cosine(l), cosine(v), fixed::round_shift(dot(l, v), 14, Rounding::floor)};
+    Cosines c{cosine(l), cosine(v), fixed::round_shift(dot(l, v), 14, Rounding::floor)};
+    if (rule == ShadingRule::blinn)
+        c.n_dot_h = cosine(wide(unit_vector({l[0] + v[0], l[1] + v[1], l[2] + v[2]})));
+    return c;
 }
 
 Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Material& material,
@@ -163,7 +179,7 @@ Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Ma
     }
     for (std::size_t l = 0; l < cosines.size(); ++l) {
         if (cosines[l].n_dot_l <= 0 || (shadowed >> l & 1u) != 0) continue;
-        const std::int64_t shine = highlight(cosines[l], material.shininess) * 256;
+        const std::int64_t shine = highlight(cosines[l], material.shininess, spec.rule) * 256;
         for (std::size_t k = 0; k < channels; ++k) {
             sum[k] += spec.sources[l].level_q8[k] *
                       (material.diffuse[k] * (256 - spec.ambient_q8) * cosines[l].n_dot_l +
@@ -181,17 +197,17 @@ UnitVector BlockShading::toward(const Toward& to, int i, int j) const {
 }
 
 Shades BlockShading::shade(int i, int j, Shadowed shadowed) const {
-    const WideVector n = at_leaf(normal_, i, j);  // Q.24
-    const UnitVector to_viewer = toward(spec_.viewer, i, j);
     BySource<Cosines> all;
     const std::span used = std::span(all).first(spec_.source_count);
+    if (spec_.rule == ShadingRule::none) {
+        std::ranges::fill(used, facing_all);
+        return raster::shade(used, spec_, material_, shadowed);
+    }
+    const WideVector n = at_leaf(normal_, i, j);  // Q.24
+    const UnitVector to_viewer = toward(spec_.viewer, i, j);
     for (std::size_t l = 0; l < used.size(); ++l) {
-        Cosines& c = used[l];
-        c = cosines(n, toward(spec_.sources[l].toward, i, j), to_viewer);
-        if (c.n_dot_v < 0) {
-            c.n_dot_v = -c.n_dot_v;
-            c.n_dot_l = -c.n_dot_l;
-        }
+        used[l] = cosines(n, toward(spec_.sources[l].toward, i, j), to_viewer, spec_.rule);
+        if (used[l].n_dot_v < 0) used[l].turn();
     }
     return raster::shade(used, spec_, material_, shadowed);
 }

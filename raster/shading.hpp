@@ -1,7 +1,10 @@
-// Shading: Lambert's cosine and Phong's highlight (Phong 1975), in 8-bit levels.
+// Shading: Lambert's cosine and Phong's highlight (Phong 1975), in 8-bit levels; and other rules.
 //
 //   I = diffuse (ambient + (1 - ambient) max(0, N.L)) + specular max(0, R.V)^(2^shininess)
 //   R = 2 (N.L) N - L,   no highlight where N.L <= 0 or in shadow
+//
+//   blinn    (N.H)^(4 x 2^shininess) in place of (R.V)^(2^shininess), H = (L + V) / |L + V|
+//   lambert  no highlight                              none     N.L = 1 and no highlight
 //
 // The light's direct share is I less the ambient term alone, both as levels. At 255 it is the
 // direct share that is cut, so a shadow never leaves less than the ambient term. Several sources
@@ -61,12 +64,17 @@ inline constexpr std::size_t max_sources = hw::built(hw::Feature::lights) ? 8 : 
 template <class T>
 using BySource = std::array<T, max_sources>;
 
+// How a sample's levels follow from its normal. Half the angle falls off a quarter as fast, so
+// Blinn's highlight (1977) has the size of Phong's with four times its exponent.
+enum class ShadingRule : std::uint8_t { phong, blinn, lambert, none };
+
 struct ShadingSpec {
     std::int32_t ambient_q8 = 77;  // 0..256
     Toward viewer{};
     BySource<ShadingSource> sources{};
     std::size_t source_count = 1;
     std::size_t channels = 1;
+    ShadingRule rule = ShadingRule::phong;
 
     ShadingSpec() = default;
     // A grey frame with one source.
@@ -90,13 +98,23 @@ using Shades = std::array<Shade, max_channels>;
 using Shadowed = std::uint32_t;
 
 // Cosines at a sample, Q1.14, floored: of the normal with the directions to a light and to the
-// viewer, and of those with each other.
+// viewer, and of those with each other; by Blinn's rule of the normal with the halfway direction.
 struct Cosines {
-    std::int64_t n_dot_l, n_dot_v, l_dot_v;
+    std::int64_t n_dot_l, n_dot_v, l_dot_v, n_dot_h = 0;
+
+    // Of the other side of the surface.
+    constexpr void turn() {
+        n_dot_l = -n_dot_l;
+        n_dot_v = -n_dot_v;
+        n_dot_h = -n_dot_h;
+    }
 };
+// Of a surface that faces light and viewer, which is shaded as if every sample were one.
+inline constexpr Cosines facing_all{1 << unit_fraction, 1 << unit_fraction, 1 << unit_fraction};
 
 // A normal of any length and two directions. 0 where the normal has no direction.
-Cosines cosines(const WideVector& normal, const UnitVector& to_light, const UnitVector& to_viewer);
+Cosines cosines(const WideVector& normal, const UnitVector& to_light, const UnitVector& to_viewer,
+                ShadingRule rule);
 
 // `cosines` with each source of the spec.
 Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Material& material,

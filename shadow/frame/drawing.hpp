@@ -55,6 +55,7 @@ inline raster::ShadingSpec shading_of(const FrameInputs& in) {
     spec.viewer = raster::toward_eye(in.scene.observer, object);
     spec.source_count = in.scene.sources_used();
     spec.channels = in.scene.channels;
+    spec.rule = in.settings.shading;
     for (std::size_t s = 0; s < spec.source_count; ++s) {
         const Source source = in.scene.source(s);
         spec.sources[s] = {raster::toward_eye(source.place, object), source.level_q8};

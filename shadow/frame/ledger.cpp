@@ -152,7 +152,8 @@ std::uint64_t total(std::span<const FrameLedger> by_light, bool overlap) {
 hw::Operations drawing_operations(const FrameInputs& in, const hw::MatrixWords& view,
                                   const raster::DrawCounts& counts, bool shades) {
     return raster::drawing_operations(counts, in.settings.machine, view.affine,
-                                      in.settings.sampling, shades, sample_cost(in.scene));
+                                      in.settings.sampling, shades,
+                                      sample_cost(in.scene, in.settings.shading));
 }
 
 hw::Operations map_operations(const FrameInputs& in, const raster::DrawCounts& counts) {

@@ -54,11 +54,11 @@ template <class Depth>
 PostProcessLedger ledger_of(const ClockedPostProcess<Depth>& machine);
 
 // Every shaded sample is costed with the max exponent of a highlight in the scene.
-inline raster::SampleCost sample_cost(const Scene& scene) {
+inline raster::SampleCost sample_cost(const Scene& scene, raster::ShadingRule rule) {
     std::int32_t max = 0;
     for (const raster::Material& m : scene.materials)
         max = m.shininess > max ? m.shininess : max;
-    return {max, scene.sources_used(), scene.channels};
+    return {max, scene.sources_used(), scene.channels, rule};
 }
 
 // A phase that is costed in operations.

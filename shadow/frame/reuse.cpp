@@ -68,6 +68,7 @@ bool same_shading(const FrameInputs& a, const FrameInputs& b) {
         return raster::toward_eye(f.scene.observer, f.matrices.object);
     };
     bool alike = same_surfaces(a, b) && a.settings.ambient_q8 == b.settings.ambient_q8 &&
+                 a.settings.shading == b.settings.shading &&
                  same(viewer(a), viewer(b));
     for (std::size_t s = 0; s < b.scene.sources_used(); ++s) {
         const Source was = a.scene.source(s), is = b.scene.source(s);

@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 3> map_depth_names{"first", "back", "midp
 constexpr std::array<std::string_view, 2> receiver_names{"point", "plane"};
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
                                                        "normal"};
+constexpr std::array<std::string_view, 4> shading_names{"phong", "blinn", "lambert", "none"};
 constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
 constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
 constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
@@ -137,6 +138,10 @@ constexpr std::array table{
                                            "3 x 3 binomial low-pass of the mask; 0 is off"),
     decimal<UMBRA78_ACCESS(ambient_q8)>("ambient", "of 1", 0, 256, 8,
                                         "light that reaches a surface from everywhere"),
+    choice<UMBRA78_ACCESS(shading)>(
+        "shading", shading_names,
+        "Lambert's cosine with Phong's highlight, with Blinn's, without one; or the material's "
+        "levels alone"),
     choice<UMBRA78_ACCESS(composite)>(
         "composite", composite_names,
         "what a shadow darkens: its light's direct share, or the whole picture (ambient, too)"),

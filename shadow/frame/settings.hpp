@@ -43,6 +43,7 @@ struct Settings : TimedTest {
     std::int32_t dequantize_passes = 0;  // 1-2-1 averages along the edge chain; 0: off
     std::int32_t low_pass_passes = 0;    // 3 x 3 binomial; 0: off
     std::int32_t ambient_q8 = 77;        // 0..256
+    raster::ShadingRule shading = raster::ShadingRule::phong;
     Composite composite = Composite::direct;
     std::int32_t density_q8 = 218;       // of the shadow: 0 invisible, 256 nothing is left
     Form form = Form::post_process;

@@ -63,11 +63,12 @@ struct ExactShading {
     Int128 ambient;
     Material material;
     Toward light, viewer;
+    ShadingRule rule;
 
     ExactShading(const std::array<ExactComponent, 3>& world, const ShadingSpec& spec,
                  const Material& m)
         : normal{}, place{}, ambient(spec.ambient_q8), material(m), light(spec.sources[0].toward),
-          viewer(spec.viewer) {
+          viewer(spec.viewer), rule(spec.rule) {
         for (std::size_t v = 0; v < 2; ++v) {
             for (std::size_t u = 0; u < 2; ++u) {
                 const std::size_t k = 2 * v + u;
@@ -116,16 +117,23 @@ struct ExactShading {
         const ExactVector l = direction(light, i, j), v = direction(viewer, i, j);
         const Int128 length = std::max<Int128>(1, exact_root(exact_dot(n, n)));
         Int128 nl = floor_of(exact_dot(n, l), length), nv = floor_of(exact_dot(n, v), length);
+        const ExactVector h = exact_unit14({l[0] + v[0], l[1] + v[1], l[2] + v[2]});
+        Int128 nh = floor_of(exact_dot(n, h), length);
         if (nv < 0) {
             nl = -nl;
             nv = -nv;
+            nh = -nh;
         }
+        if (rule == ShadingRule::none) nl = power(14);
         const Int128 unlit = material.diffuse[0] * power(14) * ambient;
         Int128 s = unlit;
         if (nl > 0 && !in_shadow) {
+            const bool blinn = rule == ShadingRule::blinn;
             Int128 r = floor_of(2 * nl * nv, power(14)) - floor_of(exact_dot(l, v), power(14));
+            if (blinn) r = nh;
             r = std::clamp<Int128>(r, 0, power(14));
-            for (int k = 0; k < material.shininess; ++k) r = half_up_of(r * r, power(14));
+            if (rule == ShadingRule::lambert || rule == ShadingRule::none) r = 0;
+            for (int k = 0; k < material.shininess + (blinn ? 2 : 0); ++k) r = half_up_of(r * r, power(14));
             s += material.diffuse[0] * (256 - ambient) * nl + 256 * material.specular[0] * r;
         }
         return {level(s), {static_cast<std::uint8_t>(level(s) - level(unlit))}};

@@ -55,8 +55,9 @@ TEST(Shading, LevelsAreTheTextsBitForBit) {
         const Material material{static_cast<std::int32_t>(random.between(0, 255)),
                                 static_cast<std::int32_t>(random.between(0, 255)),
                                 static_cast<std::int32_t>(random.between(0, 8))};
-        const ShadingSpec spec{static_cast<std::int32_t>(random.between(0, 256)),
-                               random_toward(random), random_toward(random)};
+        ShadingSpec spec{static_cast<std::int32_t>(random.between(0, 256)), random_toward(random),
+                         random_toward(random)};
+        spec.rule = static_cast<ShadingRule>(random.between(0, 3));
         const BlockShading shading(world, spec, material);
         const ExactShading exact({exact_component(world[0]), exact_component(world[1]),
                                   exact_component(world[2])}, spec, material);

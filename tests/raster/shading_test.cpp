@@ -209,5 +209,39 @@ TEST(Shading, APointLightShinesFromItsPlace) {
     std::cout << "[ measured ] point light: levels differ by at most " << worst << '\n';
 }
 
+// Blinn's highlight has Phong's size where light and viewer stand near the normal, and both are gone
+// half a right angle away; without a rule every sample has the material's level.
+TEST(ShadingRules, HaveHighlightsOfOneSize) {
+    const Material glossy{100, 100, 5};
+    const auto level = [&](ShadingRule rule, double degrees) {
+        const double angle = degrees * 3.14159265358979 / 180;
+        const Vector3 light{std::sin(angle), 0, std::cos(angle)};
+        ShadingSpec spec{0, {false, q14(light), {}}, {false, q14({0, 0, 1}), {}}};
+        spec.rule = rule;
+        return int{BlockShading(flat({1, 0, 0}, {0, 1, 0}), spec, glossy)
+                       .shade(7, 7, 0)[0].intensity};
+    };
+    for (const double degrees : {0.0, 3.0, 6.0, 12.0, 45.0, 80.0}) {
+        const int phong = level(ShadingRule::phong, degrees);
+        EXPECT_NEAR(level(ShadingRule::blinn, degrees), phong, 2) << degrees;
+        const int lambert = level(ShadingRule::lambert, degrees);
+        EXPECT_NEAR(lambert, 100 * std::cos(degrees * 3.14159265358979 / 180), 0.6) << degrees;
+        EXPECT_EQ(level(ShadingRule::none, degrees), 100);
+        EXPECT_GE(phong, lambert);
+    }
+    EXPECT_EQ(level(ShadingRule::phong, 0), 200);
+    EXPECT_EQ(level(ShadingRule::phong, 80), level(ShadingRule::lambert, 80));
+    // Far from there the two rules differ: at grazing light Blinn's highlight stays.
+    const Vector3 low = unit3({-1, 0, 0.1}), away = unit3({1, 0, 0.4});
+    std::array<int, 2> shine{};
+    for (const ShadingRule rule : {ShadingRule::phong, ShadingRule::blinn}) {
+        ShadingSpec spec{0, {false, q14(low), {}}, {false, q14(away), {}}};
+        spec.rule = rule;
+        shine[static_cast<std::size_t>(rule)] =
+            BlockShading(flat({1, 0, 0}, {0, 1, 0}), spec, {0, 255, 5}).shade(7, 7, 0)[0].intensity;
+    }
+    EXPECT_GT(shine[1], shine[0] + 10);
+}
+
 }  // namespace
 }  // namespace umbra78::raster

@@ -154,7 +154,7 @@ class Frame:
         sources = [(source.place, source.levels * (channels // len(source.levels)))
                    for source in self.sources]
         return Shading(self.observer, sources, self.fraction, self.s.ambient,
-                       COLOURED if self.coloured else MATERIAL)
+                       COLOURED if self.coloured else MATERIAL, self.s.shading)
 
     def make_observer_z(self, *_):
         s, correct = self.s, self.s.form == "correct"

@@ -66,15 +66,20 @@ class Shading:
     """Sources are (view, levels); a material is (diffuse, specular, shininess), by channel the
     first two; the frame has as many channels as the levels that are given."""
 
-    def __init__(self, observer, sources, object_fraction, ambient, material):
+    def __init__(self, observer, sources, object_fraction, ambient, material, rule="phong"):
+        self.rule = rule
         self.viewer = Toward(observer, object_fraction)
         self.towards = [Toward(view, object_fraction) for view, _ in sources]
         self.source_levels = [levels for _, levels in sources]
         self.ambient, (self.diffuse, self.specular, self.shininess) = ambient, material
 
-    def highlight(self, n_dot_l, n_dot_v, l_dot_v):
-        result = min(max(((2 * n_dot_l * n_dot_v) >> 14) - l_dot_v, 0), 1 << 14)
-        for _ in range(self.shininess):
+    def highlight(self, n_dot_l, n_dot_v, l_dot_v, n_dot_h):
+        if self.rule in ("lambert", "none"):
+            return 0
+        blinn = self.rule == "blinn"
+        result = n_dot_h if blinn else ((2 * n_dot_l * n_dot_v) >> 14) - l_dot_v
+        result = min(max(result, 0), 1 << 14)
+        for _ in range(self.shininess + 2 * blinn):
             result = half_up(result * result, 1 << 14)
         return result
 
@@ -87,8 +92,12 @@ class Shading:
         lit = []  # n_dot_l and highlight of each source, or none
         for number, to_light in enumerate(to_lights):
             n_dot_l = sign * (dot(normal, to_light) // length)
+            if self.rule == "none":
+                n_dot_l = 1 << 14
+            halfway = unit14([a + b for a, b in zip(to_light, to_viewer)])
+            n_dot_h = sign * (dot(normal, halfway) // length)
             lit.append((n_dot_l, self.highlight(n_dot_l, sign * n_dot_v,
-                                                dot(to_light, to_viewer) >> 14))
+                                                dot(to_light, to_viewer) >> 14, n_dot_h))
                        if n_dot_l > 0 and number not in shadowed else None)
         result = []
         for channel in range(len(self.source_levels[0])):

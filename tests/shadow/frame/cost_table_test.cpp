@@ -117,16 +117,24 @@ TEST(CostTable, Drawing) {
                    pair(centre.quotients, centre.quotient_bits) + "; " + text(leaf.quotients),
                    text(centre.accesses) + "; " + text(leaf.accesses)));
     expect_row(row("drawn block, shading: 4 normals, each", c::corner_normal));
-    const Operations dull = c::shaded_sample(0), shiny = c::shaded_sample(1);
-    expect_row(row("shaded sample, shininess n", linear(dull.adds, shiny.adds, "n"),
-                   linear(dull.products, shiny.products, "n") + " (" +
-                       linear(dull.passes, shiny.passes, "n") + ")",
-                   pair(dull.quotients, dull.quotient_bits), text(dull.accesses)));
-    const Operations first = c::shaded_source(0), next = c::shaded_source(1);
-    expect_row(row("shaded sample, each further source", linear(first.adds, next.adds, "n"),
-                   linear(first.products, next.products, "n") + " (" +
-                       linear(first.passes, next.passes, "n") + ")",
-                   pair(first.quotients, first.quotient_bits), text(first.accesses)));
+    using enum raster::ShadingRule;
+    const auto of_shininess = [](const char* what, const Operations& dull, const Operations& shiny) {
+        expect_row(row(what, linear(dull.adds, shiny.adds, "n"),
+                       linear(dull.products, shiny.products, "n") + " (" +
+                           linear(dull.passes, shiny.passes, "n") + ")",
+                       pair(dull.quotients, dull.quotient_bits), text(dull.accesses)));
+    };
+    of_shininess("shaded sample, shininess n", c::shaded_sample(0), c::shaded_sample(1));
+    of_shininess("shaded sample, each further source", c::shaded_source(0), c::shaded_source(1));
+    of_shininess("shaded sample by blinn", c::shaded_sample(0, blinn), c::shaded_sample(1, blinn));
+    of_shininess("shaded sample by blinn, each further source", c::shaded_source(0, blinn),
+                 c::shaded_source(1, blinn));
+    expect_row(row("shaded sample by lambert", c::shaded_sample(8, lambert)));
+    expect_row(row("shaded sample by lambert, each further source", c::shaded_source(8, lambert)));
+    for (const Operations& o : {c::shaded_sample(8, none), c::shaded_source(8, none)})
+        EXPECT_EQ(o.adds + o.passes + o.quotient_bits, 0u);
+    EXPECT_EQ(c::shaded_sample(8, none).accesses, 2u);
+    EXPECT_EQ(c::shaded_source(8, none).accesses, 1u);
     expect_row(row("shaded sample, each further channel", c::channel));
     expect_row(row("and each source in it", c::channel_source));
     const std::uint64_t corners = 3 * 17 * 17;

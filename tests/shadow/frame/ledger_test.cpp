@@ -223,12 +223,12 @@ TEST(Ledger, TheSharpestOfTwoMaterialsCounts) {
         materials[first ? 1 : 0].shininess = 2;
         Scene scene = figures.scene();
         scene.materials = materials;
-        EXPECT_EQ(sample_cost(scene).shininess, 8);
+        EXPECT_EQ(sample_cost(scene, raster::ShadingRule::phong).shininess, 8);
         const FrameLedger l = figure_ledger(figure_settings(3), scene);
         EXPECT_TRUE(test::same(l.observer.operations,
                                test::drawing_by_hand(l.observer_counts, true, true, 8, 12)));
     }
-    EXPECT_EQ(sample_cost({}).shininess, 0);
+    EXPECT_EQ(sample_cost({}, raster::ShadingRule::blinn).shininess, 0);
 }
 
 // Filters that are off cost nothing.

@@ -77,6 +77,7 @@ const Expected post_process_form{
     {"map_depth", "DO"}, {"bias_slope", "DO"}, {"receiver", "LDO"},
     {"dither_size", "LDO"},
     {"dither_seed", "LDO"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "LDM"},
+    {"shading", "LDM"},
     {"composite", "LDOM"}, {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
 const Expected correct_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
@@ -86,6 +87,7 @@ const Expected correct_form{
     {"bias", "L"}, {"bias_unit", "LD"},  // 192 texels: nothing is tested any more
     {"dither", "L"}, {"dither_size", "L"},
     {"dither_seed", "L"}, {"dequantize", "LDOM"}, {"low_pass", "LDOM"}, {"ambient", "L"},
+    {"shading", "L"},
     {"composite", "LDOMP"}, {"density", "LDOMP"}, {"form", "LD"}};
 
 void change_each_setting(PlannedScene base, const Expected& expected) {

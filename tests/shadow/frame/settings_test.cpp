@@ -31,9 +31,10 @@ using A = Anything;
 // Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
 // is a compile error here until it is named, and then a failure below until the table names it too.
 static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
-static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
-              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
-                      A>);
+static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
+                  A, A, A> &&
+              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
+                  A, A, A, A>);
 auto members(const Settings& s) {
     const auto& [machine, registration, lookup, background, taps, tap_places, dither, receiver] =
         static_cast<const ShadowTest&>(s);
@@ -51,7 +52,7 @@ auto members(const Settings& s) {
                            registration, lookup, background, taps, tap_places, s.bias_q16,
                            s.bias_unit, s.map_depth, s.bias_slope_q8, s.bias_clamp_q16, receiver,
                            shape, size_q8, seed, s.dequantize_passes,
-                           s.low_pass_passes, s.ambient_q8, s.composite, s.density_q8, s.form,
+                           s.low_pass_passes, s.ambient_q8, s.shading, s.composite, s.density_q8, s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
                            light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
                            s.arithmetic, s.array_memory, s.sector_test);
@@ -151,7 +152,8 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"bias_clamp", 0},      {"receiver", 0},
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
-        {"ambient", 77},        {"composite", 0},      {"density", 218},
+        {"ambient", 77},        {"shading", 0},
+        {"composite", 0},      {"density", 218},
         {"form", 0},            {"clock_ns", 200},
         {"multiply_ns", 160},   {"add_ns", 60},
         {"register_ns", 20},    {"divider", 0},
@@ -226,6 +228,10 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("video", "off", hw::Video::off));
     all.push_back(named("video", "observer", hw::Video::observer));
     all.push_back(named("video", "all", hw::Video::all));
+    all.push_back(named("shading", "phong", raster::ShadingRule::phong));
+    all.push_back(named("shading", "blinn", raster::ShadingRule::blinn));
+    all.push_back(named("shading", "lambert", raster::ShadingRule::lambert));
+    all.push_back(named("shading", "none", raster::ShadingRule::none));
     all.push_back(named("composite", "direct", Composite::direct));
     all.push_back(named("composite", "whole", Composite::whole));
     all.push_back(named("form", "post_process", Form::post_process));
@@ -330,6 +336,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"dequantize", {0, 6}},
         {"low_pass", {0, 8}},
         {"ambient", {0, 256}},
+        {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
         {"form", {0, 1}},
