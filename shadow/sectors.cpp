@@ -3,7 +3,6 @@
 #include "shadow/pixel_walk.hpp"
 
 namespace umbra78::shadow {
-namespace {
 
 // One sector: its unit and its map, and what is counted of it.
 template <class Depth>
@@ -37,6 +36,8 @@ private:
     LightMap<Depth> map_;
     std::int64_t limit_;
 };
+
+namespace {
 
 void check_pass(const hw::MachineSpec& spec, std::span<const std::uint8_t> mask) {
     check_machine(spec);
