@@ -50,7 +50,7 @@ TEST(Shading, LevelsAreTheTextsBitForBit) {
     Random random;
     std::array<int, 256> seen{};
     int unlit = 0, highlights = 0, cut = 0;
-    for (int n = 0; n < effort(20000); ++n) {
+    for (int n = 0; n < effort(30000); ++n) {
         const auto world = random_world_block(random, random.bits() % 8);
         const Material material{static_cast<std::int32_t>(random.between(0, 255)),
                                 static_cast<std::int32_t>(random.between(0, 255)),
@@ -118,7 +118,7 @@ TEST(Shading, LightAlongTheSurfaceIsNoLight) {
 TEST(Shading, AHighlightIsNoBrighterThanTheMaterials) {
     Random random;
     int full = 0;
-    for (int n = 0; n < effort(20000); ++n) {
+    for (int n = 0; n < effort(30000); ++n) {
         const auto world = random_world_block(random, 3);
         const UnitVector light = random_unit(random);
         const Material m{0, 200, 8};

@@ -3,6 +3,7 @@
 #include "shadow/frame/costs.hpp"
 #include "shadow/frame/plan.hpp"
 #include "tests/shadow/frame/equal_frames.hpp"
+#include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/frame/variant_scenes.hpp"
 
 #include <gtest/gtest.h>
