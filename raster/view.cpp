@@ -69,12 +69,11 @@ ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16) 
             {axis_product(a.sine, b.cosine), b.sine, axis_product(a.cosine, b.cosine)}};
 }
 
-World place_on_area(const World& middle, const ViewAxes& axes, std::int32_t side, int n, int i,
-                    int j) {
+World place_on_area(const World& middle, const ViewAxes& axes, std::int32_t side, AreaPlace at) {
     const auto along = [&](std::int32_t p, std::size_t k) {
-        const std::int64_t steps = (2 * i + 1 - n) * std::int64_t{axes.right[k]} +
-                                   (2 * j + 1 - n) * std::int64_t{axes.up[k]};  // Q2.30
-        const Rational off = Rational(steps, std::int64_t{2} * n) *
+        const std::int64_t steps = at.right * std::int64_t{axes.right[k]} +
+                                   at.up * std::int64_t{axes.up[k]};  // Q2.30
+        const Rational off = Rational(steps, std::int64_t{at.over}) *
                              Rational(side, std::int64_t{1} << axis_fraction);
         std::int64_t word = 0;
         fixed::require(off.round_scaled(0, fixed::Rounding::half_up, word),

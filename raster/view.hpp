@@ -45,10 +45,21 @@ ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
 // Straight down or up, right is (1, 0, 0). False, and `out` as it was, if the points coincide.
 bool axes_from_points(const World& from, const World& to, ViewAxes& out);
 
-// Light (i, j) of n x n on a square source of that side, in the plane of a view's right and up
-// about `middle` (hw/MACHINE.md, section 23). World words; the sum must fit them.
-World place_on_area(const World& middle, const ViewAxes& axes, std::int32_t side, int n, int i,
-                    int j);
+// Where light (i, j) of n x n stands on a square source: so many `over`ths of its side to the right
+// and up from its middle (hw/MACHINE.md, section 23). In the middle of its cell, or where two bytes
+// of noise put it.
+struct AreaPlace {
+    int right, up, over;
+};
+constexpr AreaPlace middle_of_cell(int n, int i, int j) {
+    return {2 * i + 1 - n, 2 * j + 1 - n, 2 * n};
+}
+constexpr AreaPlace noise_in_cell(int n, int i, int j, std::uint8_t u, std::uint8_t v) {
+    return {512 * i - 256 * n + 2 * u + 1, 512 * j - 256 * n + 2 * v + 1, 512 * n};
+}
+
+// In the plane of a view's right and up about `middle`. World words; the sum must fit them.
+World place_on_area(const World& middle, const ViewAxes& axes, std::int32_t side, AreaPlace at);
 
 // How far a point lies along an axis from the world's origin, exactly, with 46 fraction bits.
 // |p| < 2^31 and an axis of length 1 leave it in 63 bits.

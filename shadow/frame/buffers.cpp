@@ -45,8 +45,7 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
             light.mask = has_mask ? planes(1) : of_source.front().mask;
         }
         LightBuffers<Depth>& first = of_source.front();
-        const bool has_area = of_source.size() > 1 && !shape.sectored[s];
-        first.joined = has_area ? planes(1) : first.mask;
+        first.joined = shape.graded[s] ? planes(1) : first.mask;
         first.edges = planes(1);
         first.filtered = planes(1);
     }
@@ -69,6 +68,7 @@ FrameShape::FrameShape(const Scene& scene, int layers)
     for (std::size_t s = 0; s < sources; ++s) {
         lights_of[s] = static_cast<std::uint8_t>(scene.source(s).lights);
         sectored[s] = scene.source(s).sectored;
+        graded[s] = scene.source(s).is_graded();
     }
 }
 

@@ -25,7 +25,7 @@ struct LightBuffers {
     hw::FrameStore<Depth> second;   // the second Z while it is drawn; empty if carved for one
     std::span<std::uint8_t> mask;   // the darkness, as the method wrote it; one for all sectors
     // Of a source's first light alone:
-    std::span<std::uint8_t> joined;    // the darkness of all its lights; of one light, `mask`
+    std::span<std::uint8_t> joined;    // the source's darkness; = mask where that is all of it
     std::span<std::uint8_t> edges;     // after dequantizing; = joined where that is off
     std::span<std::uint8_t> filtered;  // after the low-pass; = edges where that is off
 };
@@ -68,7 +68,7 @@ inline constexpr std::size_t frame_alignment = 64;
 struct FrameShape {
     std::size_t lights = 1, sources = 1, channels = 1;
     std::array<std::uint8_t, max_sources> lights_of{1};
-    std::array<bool, max_sources> sectored{};
+    std::array<bool, max_sources> sectored{}, graded{};
     int map_layers = 1;  // Z codes a texel while a map is drawn: shadow::map_layers(settings)
 
     FrameShape() = default;

@@ -65,12 +65,12 @@ public:
         add(FrameStage::post_process, method_of(in_).plan_cost(drawn_, plan_, l_));
     }
     // Of the source that begins with this light.
-    void filters(bool has_area) {
+    void filters(bool is_graded) {
         if (plan_.leaves_out(Omission::same_picture)) return;
         const Settings& s = in_.settings;
         StageCycles joined;
         joined.operations = ledger_.join.units;
-        if (has_area) add(FrameStage::join, joined);
+        if (is_graded) add(FrameStage::join, joined);
         filter(FrameStage::dequantize, Omission::dequantize, s.dequantize_passes,
                ledger_.dequantize, ledger_.dequantize_near);
         filter(FrameStage::low_pass, Omission::low_pass, s.low_pass_passes, ledger_.low_pass,
@@ -162,7 +162,7 @@ FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn) {
     }
     for (std::size_t s = 0; s < in.scene.sources_used(); ++s) {
         const Source source = in.scene.source(s);
-        LightCosts(plan, drawn, source.first_light, cycles).filters(source.has_area());
+        LightCosts(plan, drawn, source.first_light, cycles).filters(source.is_graded());
     }
     const FrameLedger& l = drawn.ledgers[0];
     if (!plan.leaves_out(Omission::same_observer))

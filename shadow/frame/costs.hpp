@@ -24,7 +24,7 @@ enum class FrameStage : std::uint8_t {
     light,
     observer,
     post_process,
-    join,  // the masks of a source's lights; nothing where each source has one
+    join,  // a source's darkness from its lights' masks; nothing where it is its one mask
     dequantize,
     low_pass,
     composite

@@ -10,13 +10,16 @@ namespace umbra78::shadow {
 
 // The name of the first such feature; "" if all that is asked for is built. The remedy is to build
 // with it: -DUMBRA78_FEATURES="...;name".
-constexpr std::string_view missing_feature(const Scene& scene, const Settings& s) {
+inline std::string_view missing_feature(const Scene& scene, const Settings& s) {
     using enum hw::Feature;
     const auto eye = [](const raster::View& v) {
         return v.projection == raster::Projection::perspective;
     };
     bool eyes = eye(scene.observer);
     for (std::size_t l = 0; l < scene.light_count; ++l) eyes = eyes || eye(scene.lights[l]);
+    bool ramps = false;
+    for (std::size_t k = 0; k < scene.sources_used(); ++k)
+        ramps = ramps || scene.source(k).ramp_px > 0;
     const bool diced = s.surface == raster::PatchForm::diced;
     const struct {
         hw::Feature feature;
@@ -32,7 +35,7 @@ constexpr std::string_view missing_feature(const Scene& scene, const Settings& s
                {ap120b, s.arithmetic == Arithmetic::ap120b},
                {filters, s.dequantize_passes > 0 || s.low_pass_passes > 0},
                {z32, s.machine.z_bits > 16},
-               {lights, scene.light_count > 1 || scene.channels > 1},
+               {lights, scene.light_count > 1 || scene.channels > 1 || ramps},
                {surface_bias, s.map_depth != MapDepth::first || s.bias_slope_q8 > 0 ||
                                  s.receiver != Receiver::point}};
     for (const auto& [feature, asked_for] : all)

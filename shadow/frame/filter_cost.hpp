@@ -40,6 +40,14 @@ constexpr Operations join_pixel(std::size_t lights) {
             .accesses = lights + 1};
 }
 
+// For each pixel of a source with a ramp of w pixels: two steps along its column, the least of
+// 2 w - 1 squares along its line (their two terms are tables), the ramp's level from a table.
+constexpr Operations ramp_pixel(int width) {
+    const auto w = static_cast<std::uint64_t>(width);
+    return {.adds = 4 + 2 * (2 * w - 1), .products = 0, .passes = 0, .quotients = 0,
+            .quotient_bits = 0, .accesses = 4 + 2 * w + 1};
+}
+
 // For each pixel, source and channel: picture, direct share and mask read, the picture written.
 inline constexpr Operations composite_pixel{
     .adds = 2, .products = 2, .passes = 2, .quotients = 1, .quotient_bits = 10, .accesses = 4};

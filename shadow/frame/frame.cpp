@@ -3,6 +3,7 @@
 #include "raster/sinks.hpp"
 #include "shadow/filters/composite.hpp"
 #include "shadow/filters/low_pass.hpp"
+#include "shadow/filters/ramp.hpp"
 #include "shadow/frame/drawing.hpp"
 #include "shadow/lines.hpp"
 
@@ -145,10 +146,20 @@ void darken(const FrameInputs& in, std::size_t channel, std::size_t source,
     }
 }
 
-// A source's darkness from the masks of its lights: their mean, rounded half up.
+// A source's darkness from the masks of its lights: their mean, rounded half up; or a ramp around
+// its one mask.
 template <class Depth>
-void join(const Source& source, FrameBuffers<Depth>& frame) {
-    if (!source.has_area()) return;  // the darkness is its light's mask
+void join(const FrameInputs& in, const Source& source, FrameBuffers<Depth>& frame) {
+    if (!source.is_graded()) return;  // the darkness is its light's mask
+    if constexpr (hw::built(hw::Feature::lights)) {
+        if (source.ramp_px > 0) {
+            const LightBuffers<Depth>& light = frame.lights[source.first_light];
+            ramp<Depth>(light.mask, frame.observer,
+                        static_cast<Depth>(in.settings.machine.background()), source.ramp_px,
+                        scratch(frame), light.joined);
+            return;
+        }
+    }
     const std::span lights = std::span(frame.lights).subspan(source.first_light, source.lights);
     const std::span<std::uint8_t> joined = lights.front().joined;
     const auto n = static_cast<std::uint32_t>(source.lights);
@@ -249,7 +260,7 @@ void cast_shadows(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
             for (std::size_t k = 0; k < source.lights; ++k)
                 test_light(in, plan, source.first_light + k, frame, counts);
         }
-        join(source, frame);
+        join(in, source, frame);
     }
 }
 

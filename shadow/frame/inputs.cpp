@@ -1,6 +1,7 @@
 #include "shadow/frame/inputs.hpp"
 
 #include "hw/sectors.hpp"
+#include "shadow/filters/ramp.hpp"
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
 
@@ -53,6 +54,9 @@ bool Scene::in_order() const {
     for (std::size_t s = 0; s < source_count; ++s) {
         if (sources[s].first_light != next || sources[s].lights == 0) return false;
         if (sources[s].sectored && sources[s].lights != hw::sector_count) return false;
+        const int ramp_px = sources[s].ramp_px;
+        if (ramp_px < 0 || ramp_px > max_ramp_px || (ramp_px > 0 && sources[s].has_area()))
+            return false;
         next += sources[s].lights;
     }
     return source_count == 0 || next == light_count;
@@ -66,7 +70,7 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
     const bool when_drawn = method_of(settings)->tests_when_drawn();
     for (std::size_t s = 0; s < scene.sources_used(); ++s) {
-        if (when_drawn && scene.source(s).has_area()) return area_when_drawn;
+        if (when_drawn && scene.source(s).is_graded()) return area_when_drawn;
         if (scene.source(s).sectored && !method_of(settings)->takes_sectors) return sectors_refused;
     }
     out.object = scene.streamed ? raster::object_format(scene.largest_streamed)

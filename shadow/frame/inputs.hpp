@@ -31,8 +31,12 @@ struct Source {
     raster::Levels level_q8 = 256;
     // Its six lights are the sectors of one place (hw/sectors.hpp), and they have one mask.
     bool sectored = false;
+    // The width of Crow's ramp around its shadow (shadow/filters/ramp.hpp), 0 for none.
+    int ramp_px = 0;
 
     bool has_area() const { return lights > 1 && !sectored; }
+    // Whether its darkness is made from its masks, in a plane of its own, and has grey levels.
+    bool is_graded() const { return has_area() || ramp_px > 0; }
 };
 
 struct Scene {
@@ -61,8 +65,8 @@ struct Scene {
         while (s + 1 < sources_used() && source(s + 1).first_light <= l) ++s;
         return source(s);
     }
-    // The lights and sources are numbered through, there is room for them, and what has sectors has
-    // six.
+    // The lights and sources are numbered through, there is room for them, what has sectors has
+    // six, and an area has no ramp.
     bool in_order() const;
 };
 
@@ -74,7 +78,7 @@ enum class FrameStatus : std::uint8_t {
     light_matrix,
     shadow_matrix,
     bias_out_of_range,
-    area_when_drawn,  // a source has an area, and the method tests points as they are drawn
+    area_when_drawn,  // a source has an area or a ramp, and the method tests points when drawn
     sectors_refused,  // a source has sectors, and the method has none
 };
 

@@ -212,12 +212,15 @@ void add_source(const FrameInputs& in, const Source& source, const FrameBuffers<
     const Settings& s = in.settings;
     const auto size = static_cast<std::uint64_t>(s.machine.size_px());
     const auto passes = static_cast<std::uint64_t>(s.low_pass_passes);
-    if (source.has_area()) l.join = phase(size * size * cost::join_pixel(source.lights), in);
-    const std::uint64_t dequantized = source.has_area() ? 0 : size;
+    if (source.is_graded())
+        l.join = phase(size * size * (source.ramp_px > 0 ? cost::ramp_pixel(source.ramp_px)
+                                                         : cost::join_pixel(source.lights)),
+                       in);
+    const std::uint64_t dequantized = source.is_graded() ? 0 : size;
     add_filters(in, counts.chain_steps, {dequantized, passes * size, size}, l.dequantize,
                 l.low_pass, l.composite);
     l.lines.filtered = lines_near_shadow(frame.lights[source.first_light].joined, s);
-    if (source.has_area()) l.lines.filtered.dequantize = 0;
+    if (source.is_graded()) l.lines.filtered.dequantize = 0;
     add_filters(in, counts.chain_steps, l.lines.filtered, l.dequantize_near, l.low_pass_near,
                 l.composite_near);
 }

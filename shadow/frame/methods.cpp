@@ -230,7 +230,7 @@ constexpr Method percentage_method = with_shares(post_process_method);
 constexpr Method correct_method{
     .name = "correct",
     .meaning = "each generated point is tested before it is shaded (Williams 1978, p. 272)",
-    .cannot = "its cost grows with everything that is drawn; no light has an area or sectors",
+    .cannot = "its cost grows with everything that is drawn; no light has an area, a ramp or sectors",
     .form = Form::correct,
     .arithmetic = Arithmetic::fixed,
     .lookups = answering_lookups,

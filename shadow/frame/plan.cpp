@@ -81,7 +81,7 @@ void plan_filters(const FrameInputs& now, const Source& source, FramePlan& plan)
                                                        : needed(asked_for);
     };
     plan.at(Omission::dequantize, l) = filter(s.dequantize_passes);
-    if (method.darkness == Darkness::graded || source.has_area())
+    if (method.darkness == Darkness::graded || source.is_graded())
         plan.at(Omission::dequantize, l) = left_out(graded);
     plan.at(Omission::low_pass, l) = filter(s.low_pass_passes);
     plan.at(Omission::lit_lines, l) = method.tests_when_drawn() ? needed(tested_when_drawn)

@@ -147,7 +147,11 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
         r.observer = masks = false;
         r.mask = {};
     }
-    r.picture = r.observer && masks && same_filters(before.settings, now.settings, when_drawn);
+    bool ramps = true;
+    for (std::size_t s = 0; s < now.scene.sources_used(); ++s)
+        ramps = ramps && before.scene.source(s).ramp_px == now.scene.source(s).ramp_px;
+    r.picture = r.observer && masks && ramps &&
+                same_filters(before.settings, now.settings, when_drawn);
     return r;
 }
 

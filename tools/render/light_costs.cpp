@@ -28,8 +28,9 @@ std::vector<LightCost> light_costs(const LoadedScene& scene,
         next += cost.maps;
         // Maps; a mask each, or one of all sectors; an area's joined mask; two filtered; the shares.
         const std::uint64_t masks = scene.lights[l].sectored    ? 1
-                                    : scene.lights[l].has_area() ? cost.maps + 1
-                                                                 : cost.maps;
+                                    : cost.maps > 1              ? cost.maps + 1
+                                    : scene.lights[l].ramp_px > 0 ? 2
+                                                                  : 1;
         cost.bytes = pixels * (cost.maps * z_bytes + masks + 2 + channels);
         costs.push_back(cost);
     }

@@ -186,7 +186,7 @@ std::vector<PlaneOf> RenderJob::planes() const {
         if (!scene.source_of(l).sectored || scene.source_of(l).first_light == l)
             all.emplace_back(Plane::mask, l);
     for (std::size_t s = 0; s < sources; ++s)
-        if (scene.source(s).has_area()) all.emplace_back(Plane::darkness, s);
+        if (scene.source(s).is_graded()) all.emplace_back(Plane::darkness, s);
     add(Plane::edges, sources);
     add(Plane::filtered, sources);
     for (std::size_t c = 0; c < scene.channels; ++c) all.emplace_back(Plane::picture, 0, c);

@@ -72,6 +72,7 @@ std::string hash_inputs(const LoadedScene& scene) {
     for (const SceneLight& light : scene.lights) {
         hash.add(light.views().size());
         hash.add(light.level_q8);
+        hash.add(light.ramp_px);
         hash.add(light.view);
         for (const raster::View& v : light.parts) hash.add(v);
     }

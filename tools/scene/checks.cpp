@@ -151,8 +151,8 @@ std::string explain(shadow::FrameStatus status) {
             return "the matrix from observer to light does not fit the machine's words; bring "
                    "their extents nearer each other, or lower the bias";
         case area_when_drawn:
-            return "the correct form shades by a light or not, and has no light with an area; set "
-                   "form = \"post_process\", or kind = \"point\"";
+            return "the correct form shades by a light or not, and has no light with an area or a "
+                   "ramp; set form = \"post_process\", or kind = \"point\" and no ramp";
         case sectors_refused:
             return "only the post-process on the fixed-point machine sorts into sectors; set "
                    "form = \"post_process\" and arithmetic = \"fixed\", or kind = \"point\"";

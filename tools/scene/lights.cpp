@@ -1,5 +1,6 @@
 #include "tools/scene/lights.hpp"
 
+#include "fixed/noise.hpp"
 #include "tools/scene/view_keys.hpp"
 
 #include <fmt/format.h>
@@ -19,14 +20,19 @@ void read_area(const TableReader& in, const raster::World& origin, ScenePoints& 
                SceneLight& light) {
     const auto size = static_cast<std::int32_t>(in.needed_number("size"));
     const auto n = static_cast<int>(in.number("samples"));
+    const bool noisy = in.choice("places") == 1;
+    fixed::NoiseRegister noise(static_cast<std::uint32_t>(in.number("seed")));
     const raster::World middle = less(in.needed_point("position"), origin);
     if (in.error().any()) return;
     light.side = size;
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             View view = light.view;
-            const raster::World from =
-                raster::place_on_area(middle, light.view.axes, size, n, i, j);
+            const auto u = static_cast<std::uint8_t>(noise.take(8));
+            const auto v = static_cast<std::uint8_t>(noise.take(8));
+            const raster::World from = raster::place_on_area(
+                middle, light.view.axes, size,
+                noisy ? raster::noise_in_cell(n, i, j, u, v) : raster::middle_of_cell(n, i, j));
             const raster::World& to = view.target;
             view.distance = rounded_length(std::int64_t{from.x} - to.x,
                                            std::int64_t{from.y} - to.y,
@@ -82,8 +88,9 @@ SceneLight read_light(const TomlNode& node, ScenePoints& points, const raster::W
     light.level_q8 = in.levels("level");
     if (kind != LightKind::area) {
         refuse(in, "size", "kind", "area");
-        refuse(in, "samples", "kind", "area");
+        for (const char* key : {"samples", "places", "seed"}) refuse(in, key, "kind", "area");
     }
+    light.ramp_px = static_cast<int>(in.number("ramp"));
     if (kind == LightKind::directional) {
         refuse(in, "position", "kind", "point");
         in.need("azimuth");
@@ -103,6 +110,10 @@ SceneLight read_light(const TomlNode& node, ScenePoints& points, const raster::W
     }
     fit_view(in, view, points);
     if (kind == LightKind::area && !error.any()) read_area(in, origin, points, light);
+    if (light.ramp_px > 0 && light.views().size() > 1)
+        in.report(in.need("ramp"),
+                  fmt::format("{} is for one hard shadow; set samples = 1, or leave it out",
+                              in.called("ramp")));
     return light;
 }
 

@@ -102,7 +102,7 @@ shadow::Scene LoadedScene::view() const {
     made.light_count = 0;
     for (const SceneLight& light : lights) {
         made.sources[made.source_count++] = {made.light_count, light.views().size(), light.view,
-                                             light.level_q8, light.sectored};
+                                             light.level_q8, light.sectored, light.ramp_px};
         for (const raster::View& v : light.views()) made.lights[made.light_count++] = v;
     }
     made.channels = is_coloured() ? 3 : 1;

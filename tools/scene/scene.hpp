@@ -26,6 +26,7 @@ struct SceneLight {
     std::vector<raster::View> parts;  // of the lights on its area, or of its sectors; else empty
     std::int32_t side = 0;            // of an area's square, Q15.16
     bool sectored = false;
+    int ramp_px = 0;                  // of Crow's ramp around its shadow
     raster::Levels level_q8 = 256;
 
     bool has_area() const { return side > 0; }

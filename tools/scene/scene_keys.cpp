@@ -31,7 +31,10 @@ constexpr std::string_view on_or_off[] = {"on", "off"};
 constexpr std::string_view up_axes[] = {"y", "z"};
 constexpr std::string_view shadings[] = {"smooth", "flat"};
 constexpr std::string_view light_kinds[] = {"directional", "point", "area", "sectors"};
-constexpr NumberRange light_level_range{8, 0, 256}, samples_range{0, 2, 8};
+constexpr NumberRange light_level_range{8, 0, 256}, samples_range{0, 1, 8},
+    ramp_range{0, 0, shadow::max_ramp_px},
+    seed_range{0, 1, 0x7fffffff};
+constexpr std::string_view area_places[] = {"grid", "noise"};
 
 constexpr SceneKey target{.key = "target", .kind = point, .unit = world_units,
                           .range = place_range, .left_out = "the middle of the scene",
@@ -106,7 +109,14 @@ constexpr SceneKey light_keys[] = {
      .left_out = "must be given if an area", .example = "1",
      .meaning = "of an area: the side of its square, which faces the target"},
     {.key = "samples", .kind = number, .range = samples_range, .fallback = 4,
-     .meaning = "of an area: n x n points on it"},
+     .meaning = "of an area: n x n points on it; 1 is its middle, for a ramp"},
+    {.key = "places", .kind = choice, .choices = area_places,
+     .meaning = "of an area's points: in the middles of n x n cells, or in each where the noise "
+                "puts it"},
+    {.key = "seed", .kind = number, .range = seed_range, .fallback = 0x12345678,
+     .meaning = "of that noise"},
+    {.key = "ramp", .kind = number, .unit = "pixels", .range = ramp_range, .fallback = 0,
+     .meaning = "around a hard shadow the darkness falls off over that width (Crow 1977); 0: none"},
     {.key = "level", .kind = levels, .range = light_level_range, .fallback = 256,
      .meaning = "of its light, in red, green and blue if it is coloured; 1 is as bright as the "
                 "material's levels say"},

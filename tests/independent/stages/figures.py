@@ -4,8 +4,8 @@ import re
 
 from .ap120b import array_mask
 from .dicing import diced, tolerance
-from .filters import composite, dequantize, low_pass
-from .noise import dither_words
+from .filters import composite, dequantize, low_pass, ramp
+from .noise import dither_words, noise_bits
 from .notation import half_up
 from .sectors import SectorLights, sector_mask, sector_views
 from .settings import Settings, table
@@ -52,7 +52,7 @@ def angles(azimuth, elevation):
 
 # Sources that are more than a view of level 256: the view, levels, and of an area size and side.
 SOURCES = {"dim": ("right", (128,), None), "red": ("sun", (256, 64, 32), None),
-           "panel": ("lamp", (256,), (131072, 2))}
+           "panel": ("lamp", (256,), (131072, 2, None)), "scatter": ("lamp", (256,), (131072, 2, 78))}
 # Sectored: the place, the distance, near and far.
 SECTORED = {"bulb": ((10000, 60000, 20000), 65536, (2048, 524288))}
 PLACES = {"lamp": (-327680, 262144, 131072)}
@@ -79,13 +79,19 @@ def view(name, patches):
     return View(axes, extent, distance, depths, patches=patches)
 
 
-def area(name, size, n, patches):
+def area(name, size, n, seed, patches):
     """The views of the lights on a square source at a view's place."""
     (right, up, _), extent, _, depths = view_words(name)
     views = []
     for j in range(n):
         for i in range(n):
-            place = [p + half_up(((2 * i + 1 - n) * r + (2 * j + 1 - n) * u) * size, 2 * n << 30)
+            a, b, over = 2 * i + 1 - n, 2 * j + 1 - n, 2 * n
+            if seed:
+                bits = noise_bits(seed, 16 * n * n) >> 16 * (j * n + i)
+                byte_u, byte_v = bits & 255, bits >> 8 & 255
+                a, b = 512 * i - 256 * n + 2 * byte_u + 1, 512 * j - 256 * n + 2 * byte_v + 1
+                over = 512 * n
+            place = [p + half_up((a * r + b * u) * size, over << 30)
                      for p, r, u in zip(PLACES[name], right, up)]
             square = sum(p * p for p in place)
             root = math.isqrt(square)
@@ -98,6 +104,7 @@ class Source:
     """Its place's view, the views of its lights, and its levels by channel."""
 
     def __init__(self, name, patches):
+        name, _, self.ramp = name.partition(" ramp ")
         self.sectored = name in SECTORED
         if self.sectored:
             self.views, self.levels = [*sector_views(*SECTORED[name], patches)], (256,)
@@ -208,13 +215,15 @@ class Frame:
         first = sum(len(other.views) for other in self.sources[:source])
         n = 1 if self.sources[source].sectored else len(self.sources[source].views)
         masks = [self.of_light("mask", first + k) for k in range(n)]
+        if self.sources[source].ramp:
+            masks[0] = ramp(masks[0], self.visible(), int(self.sources[source].ramp), self.s.size_px)
         self.made["darkness" + number] = masks[0] if n == 1 else [
             (2 * sum(pixel) + n) // (2 * n) for pixel in zip(*masks)]
 
     def make_edges(self, source, number, _):
         darkness, passes = self.of_light("darkness", source), self.s.dequantize
         of = self.sources[source]
-        graded = self.s.lookup == "percentage" or (len(of.views) > 1 and not of.sectored)
+        graded = self.s.lookup == "percentage" or of.ramp or (len(of.views) > 1 and not of.sectored)
         if passes and not graded:
             darkness = dequantize(darkness, self.visible(), passes, self.s.size_px)
         self.made["edges" + number] = darkness

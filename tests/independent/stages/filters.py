@@ -1,4 +1,7 @@
-"""Filters and composite (section 13)."""
+"""Filters and composite (section 13), and the ramp (23)."""
+import math
+
+from .notation import half_up
 
 
 def shadow_chains(mask, n):
@@ -66,6 +69,25 @@ def low_pass(mask, visible, n):
                 near = p + dy * n + dx
                 total += weight * mask[near if inside and visible[near] else p]
             result[p] = total >> 4
+    return result
+
+
+def ramp(mask, visible, width, n):
+    """Crow's ramp (section 23)."""
+    near = [(dx, dy) for dy in range(1 - width, width) for dx in range(1 - width, width)
+            if dx * dx + dy * dy < width * width]
+    near.sort(key=lambda d: d[0] ** 2 + d[1] ** 2)
+    result = [0] * (n * n)
+    for p, seen in enumerate(visible):
+        y, x = divmod(p, n)
+        if seen:
+            found = next((dx * dx + dy * dy for dx, dy in near
+                          if 0 <= x + dx < n and 0 <= y + dy < n
+                          and mask[p + dy * n + dx] >= 128), None)
+            whole = 256 * width
+            level = 0 if found is None else half_up(
+                255 * (whole - math.isqrt(found << 16)), whole)
+            result[p] = max(mask[p], level)
     return result
 
 

@@ -70,6 +70,13 @@ TEST(CostTable, Filters) {
                pair(zero.quotients, zero.quotient_bits) + " | n + 1 |\n");
     EXPECT_EQ(of_one.accesses, 2u);
     EXPECT_EQ(of_one.adds, 2u);
+    expect_row("| ramp of w pixels, pixel (section 23) | 4 w + 2 | | | 2 w + 5 |\n");
+    for (const int w : {1, 32}) {
+        const auto wide = static_cast<std::uint64_t>(w);
+        EXPECT_EQ(cost::ramp_pixel(w).adds, 4 * wide + 2);
+        EXPECT_EQ(cost::ramp_pixel(w).accesses, 2 * wide + 5);
+        EXPECT_EQ(cost::ramp_pixel(w).passes, 0u);
+    }
     expect_row(row("composite, pixel, source and channel", cost::composite_pixel));
 }
 

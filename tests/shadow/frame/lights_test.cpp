@@ -196,12 +196,43 @@ TEST(Area, OfNoSizeIsAPoint) {
     expect_equal_buffers("picture", 64, a.buffers().picture, b.buffers().picture);
 }
 
+// A ramp is around the mask that the source has without it, and the plan leaves out the rest.
+TEST(CrowsRamp, IsTheDarknessOfItsSource) {
+    const Settings s = small();
+    const Drawn hard("floor", "oblique", "left + bulb", s), soft("floor", "oblique",
+                                                                 "left ramp 5 + bulb ramp 3", s);
+    for (const std::size_t l : {0u, 1u}) {
+        const auto &a = hard.buffers().lights[l], &b = soft.buffers().lights[l];
+        expect_equal_buffers("mask", 64, a.mask, b.mask);
+        int grey = 0;
+        for (std::size_t p = 0; p < b.joined.size(); ++p) {
+            ASSERT_GE(b.joined[p], b.mask[p]);
+            grey += b.joined[p] > 0 && b.joined[p] < 255 ? 1 : 0;
+        }
+        EXPECT_GT(grey, 100);
+        expect_equal_buffers("edges", 64, b.joined, b.edges);  // not dequantized
+    }
+    EXPECT_EQ(make_plan(soft.inputs()).at(Omission::dequantize, 0).reason, Reason::graded);
+    test::Frame<> everything(s.machine, soft.scene.patches.size(), FrameShape(soft.scene));
+    draw_frame(soft.inputs(), FramePlan{}, everything.buffers, everything.counts);
+    test::expect_equal_frames(soft.buffers(), everything.buffers);
+    // Another width changes the picture, and keeps the mask.
+    FrameInputs now = soft.inputs();
+    now.scene.sources[0].ramp_px = 6;
+    const FrameInputs before = soft.inputs();
+    const FramePlan plan = make_plan(now, &before);
+    EXPECT_TRUE(plan.leaves_out(Omission::same_mask, 0));
+    EXPECT_FALSE(plan.leaves_out(Omission::same_picture));
+}
+
 TEST(Area, TheCorrectFormRefusesIt) {
     Settings s = small();
     s.form = Form::correct;
     const VariantScene made("floor");
     FrameMatrices matrices;
     EXPECT_EQ(load_matrices(made.scene("oblique", "panel"), s, matrices),
+              FrameStatus::area_when_drawn);
+    EXPECT_EQ(load_matrices(made.scene("oblique", "left ramp 2"), s, matrices),
               FrameStatus::area_when_drawn);
     EXPECT_EQ(load_matrices(made.scene("oblique", "left + lamp"), s, matrices), FrameStatus::ok);
 }
@@ -342,7 +373,7 @@ TEST(LightsLedger, IsLinearInTheLights) {
 
 // A plan's costs are the sum over the lights, and the savings add up to what is left out.
 TEST(LightsLedger, SavingsAddUp) {
-    for (const char* lights : {"left + sun + dim", "panel + left"}) {
+    for (const char* lights : {"left + sun + dim", "panel + left", "left ramp 7"}) {
         const Drawn d("floor", "oblique", lights, small());
         const FrameInputs in = d.inputs();
         const std::vector<FrameLedger> all = ledgers(d);
@@ -353,7 +384,7 @@ TEST(LightsLedger, SavingsAddUp) {
             saved += saving(static_cast<Omission>(k), plan, drawn).cycles;
         EXPECT_EQ(total(cycles_of(FramePlan{}, drawn)) - total(cycles_of(plan, drawn)), saved);
         EXPECT_EQ(cycles_of(plan, drawn)[static_cast<std::size_t>(FrameStage::join)].total() > 0,
-                  std::string(lights).starts_with("panel"));
+                  std::string(lights) != "left + sun + dim");
     }
 }
 

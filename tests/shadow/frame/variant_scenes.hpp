@@ -59,16 +59,21 @@ private:
             raster::Levels level;
         };
         Named found{name, name, 256};
+        if (const std::size_t ramp = name.find(" ramp "); ramp != std::string::npos) {
+            add_source(name.substr(0, ramp), made);
+            made.sources[made.source_count - 1].ramp_px = std::stoi(name.substr(ramp + 6));
+            return;
+        }
         for (const Named& n : {Named{"dim", "right", 128}, Named{"red", "sun", {256, 64, 32}},
-                               Named{"panel", "lamp", 256}})
+                               Named{"panel", "lamp", 256}, Named{"scatter", "lamp", 256}})
             if (n.name == name) found = n;
         Source source{made.light_count, 1, view(found.view), found.level};
         made.lights[made.light_count++] = source.place;
-        if (name == "panel") {
+        if (name == "panel" || name == "scatter") {
             source.lights = 4;
             for (int k = 0; k < 4; ++k)
                 made.lights[source.first_light + static_cast<std::size_t>(k)] =
-                    on_panel(source.place, k % 2, k / 2);
+                    on_panel(source.place, k % 2, k / 2, name == "scatter");
             made.light_count += 3;
         }
         if (!found.level.is_grey()) made.channels = 3;
@@ -87,9 +92,15 @@ private:
         source.place = made.lights[source.first_light];
         made.sources[made.source_count++] = source;
     }
-    raster::View on_panel(const raster::View& place, int i, int j) const {
+    raster::View on_panel(const raster::View& place, int i, int j, bool noisy) const {
+        fixed::NoiseRegister noise(78);
+        noise.jump(static_cast<std::uint64_t>(16 * (2 * j + i)));
+        const auto u = static_cast<std::uint8_t>(noise.take(8));
+        const auto v = static_cast<std::uint8_t>(noise.take(8));
         const raster::World at = raster::place_on_area({-327680, 262144, 131072}, place.axes,
-                                                       131072, 2, i, j);
+                                                       131072,
+                                                       noisy ? raster::noise_in_cell(2, i, j, u, v)
+                                                             : raster::middle_of_cell(2, i, j));
         const auto square = static_cast<std::uint64_t>(std::int64_t{at.x} * at.x +
                                                        std::int64_t{at.y} * at.y +
                                                        std::int64_t{at.z} * at.z);

@@ -61,7 +61,7 @@ TEST(SceneKeys, EveryRowIsRead) {
             ++rows;
         }
     }
-    EXPECT_EQ(rows, 68);
+    EXPECT_EQ(rows, 71);
 }
 
 std::string decimal(std::int64_t word, int fraction) {
@@ -104,7 +104,7 @@ TEST(SceneKeys, EveryNumberIsHeldToItsRange) {
             }
         }
     }
-    EXPECT_EQ(ranges, 2 * 24);
+    EXPECT_EQ(ranges, 2 * 26);
 }
 
 TEST(SceneKeys, ADefaultIsWhatAKeyLeftOutIs) {

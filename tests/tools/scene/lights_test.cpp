@@ -83,6 +83,25 @@ TEST(SceneLights, AnAreaHasAViewForEachOfItsPoints) {
     EXPECT_EQ(view.sources[0].place.distance, 8 << 16);
 }
 
+// Each point stays in its cell, and no two seeds have the same places.
+TEST(SceneLights, AnAreasPointsMayStandWhereNoisePutsThem) {
+    const std::string area = one_ball + "[light]\nkind = \"area\"\nposition = [0, 0, 8]\n"
+                                        "target = [0, 0, 0]\nsize = 2\nsamples = 4\n";
+    const auto x_of = [](const raster::View& v) {
+        return std::ldexp(v.axes.back[0], -30) * std::ldexp(v.distance, -16);
+    };
+    const LoadedScene grid = lit_by(area), noise = lit_by(area, {"light.places=noise"}),
+                      other = lit_by(area, {"light.places=noise", "light.seed=3"});
+    int moved = 0;
+    for (std::size_t k = 0; k < 16; ++k) {
+        const double middle = x_of(grid.lights[0].parts[k]);
+        EXPECT_LT(std::abs(x_of(noise.lights[0].parts[k]) - middle), 0.2501) << k;
+        moved += x_of(other.lights[0].parts[k]) != x_of(noise.lights[0].parts[k]) ? 1 : 0;
+    }
+    EXPECT_GT(moved, 12);
+    EXPECT_EQ(lit_by(area, {"light.samples=1", "light.ramp=4"}).view().sources[0].ramp_px, 4);
+}
+
 TEST(SceneLights, SectorsAreSixViewsOfAQuarterTurn) {
     const LoadedScene scene = lit_by(one_ball + "[light]\nkind = \"sectors\"\n"
                                                 "position = [3, 1, 2]\ntarget = [3, 1, 0]\n");
@@ -176,7 +195,12 @@ TEST(SceneLights, WhatIsWrongIsSaidInALine) {
          "form = \"post_process\" and arithmetic = \"fixed\", or kind = \"point\""},
         {lamp + "size = 0\n", "a.toml:7: 'size' in [light] is 0; its range is 2^-16 .. 32767"},
         {lamp + "size = 1\nsamples = 9\n",
-         "a.toml:8: 'samples' in [light] is 9; its range is 2 .. 8"},
+         "a.toml:8: 'samples' in [light] is 9; its range is 1 .. 8"},
+        {lamp + "size = 1\nramp = 3\n",
+         "a.toml:8: 'ramp' in [light] is for one hard shadow; set samples = 1, or leave it out"},
+        {lamp + "size = 1\nramp = 33\n", "a.toml:8: 'ramp' in [light] is 33; its range is 0 .. 32"},
+        {one_ball + "[light]\nazimuth = 0\nplaces = \"noise\"\n",
+         "a.toml:6: 'places' in [light] needs kind = \"area\""},
         {lamp + "size = 1\nlevel = 1.5\n",
          "a.toml:8: 'level' in [light] is 1.5; its range is 0 .. 1"},
         {lamp + "size = 1\nlevel = [1, 2, 0]\n",
