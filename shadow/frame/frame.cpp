@@ -79,12 +79,13 @@ void copy_lines(std::span<const std::uint8_t> from, const LineSet& lines,
             copy(from.subspan(a, n), to.subspan(a, n));
 }
 
-// Fills a source's edges and filtered; `l` is its first light. Returns the lines that the composite
+// Fills a source's edges and filtered. Returns the lines that the composite
 // has work on: a filter leaves a line as it is if it and its neighbours are lit, and each pass of
 // the low-pass reaches one line further.
 template <class Depth>
-LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
+LineSet filter(const FrameInputs& in, const FramePlan& plan, const Source& source,
                FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    const std::size_t l = source.first_light;
     const Settings& settings = in.settings;
     const int size = settings.machine.size_px();
     const auto none = static_cast<Depth>(settings.machine.background());
@@ -99,7 +100,7 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, std::size_t l,
         copy(light.edges, light.filtered);
         return lines;
     }
-    const bool has_edges = method_of(in).darkness == Darkness::binary;
+    const bool has_edges = method_of(in).darkness == Darkness::binary && !source.is_graded();
     if (has_edges && !plan.leaves_out(Omission::dequantize, l)) {
         counted.filtered_lines.dequantize = lines.count();
         counted.chain_steps =
@@ -273,7 +274,7 @@ void filter_and_composite(const FrameInputs& in, const FramePlan& plan, FrameBuf
     std::array<LineSet, max_sources> lines;
     const std::size_t sources = in.scene.sources_used();
     for (std::size_t s = 0; s < sources; ++s)
-        lines[s] = filter(in, plan, in.scene.source(s).first_light, frame, counts);
+        lines[s] = filter(in, plan, in.scene.source(s), frame, counts);
     for (std::size_t channel = 0; channel < in.scene.channels; ++channel) {
         std::span<const std::uint8_t> picture = frame.intensity(channel);
         const std::span<std::uint8_t> out = frame.picture_of(channel);

@@ -13,7 +13,7 @@ namespace umbra78::shadow {
 namespace {
 
 constexpr int side = 32;
-constexpr hw::Depth16 none = 65535;
+constexpr hw::Depth16 nothing = 65535;
 
 struct RampFrame {
     test::OwnedStore<hw::Depth16> observer{5};
@@ -24,14 +24,14 @@ struct RampFrame {
     RampFrame(const RampFrame&) = delete;
     std::vector<std::uint8_t> ramped(int width) const {
         std::vector<std::uint8_t> rows(mask.size(), 7), out(mask.size(), 7);
-        ramp<hw::Depth16>(mask, observer.store, none, width, rows, out);
+        ramp<hw::Depth16>(mask, observer.store, nothing, width, rows, out);
         return out;
     }
     std::vector<std::uint8_t> by_definition(int width) const {
         std::vector<std::uint8_t> out(mask.size(), 0);
         for (int a = 0; a < side * side; ++a) {
             const auto at = static_cast<std::size_t>(a);
-            if (depth[at] == none) continue;
+            if (depth[at] == nothing) continue;
             int least = 1 << 20;
             for (int b = 0; b < side * side; ++b) {
                 const int dx = a % side - b % side, dy = a / side - b / side;
@@ -65,15 +65,15 @@ TEST(Ramp, IsTheDefinition) {
         RampFrame f;
         const std::uint64_t rare = std::uint64_t{1} << random.between(1, 10);
         for (std::size_t a = 0; a < f.mask.size(); ++a) {
-            if (random.bits() % 7 == 0) f.depth[a] = none;
+            if (random.bits() % 7 == 0) f.depth[a] = nothing;
             if (random.bits() % rare == 0)
                 f.mask[a] = static_cast<std::uint8_t>(random.between(1, 255));
-            if (f.depth[a] == none) f.mask[a] = 0;
+            if (f.depth[a] == nothing) f.mask[a] = 0;
         }
         const int width = turn % max_ramp_px + 1;
         const std::vector<std::uint8_t> expected = f.by_definition(width);
-        umbra78::test::expect_equal_buffers("ramp", side, std::span(expected),
-                                            std::span(f.ramped(width)),
+        const std::vector<std::uint8_t> made = f.ramped(width);
+        umbra78::test::expect_equal_buffers("ramp", side, std::span(expected), std::span(made),
                                             umbra78::test::Constant::expected);
         graded += static_cast<int>(
             std::ranges::count_if(expected, [](auto d) { return d > 0 && d < 255; }));

@@ -181,6 +181,9 @@ TEST(Area, IsNotDequantized) {
     EXPECT_NE(copy(d.buffers().lights[4].mask), copy(d.buffers().lights[4].edges));
     EXPECT_EQ(make_plan(d.inputs()).at(Omission::dequantize, 0).reason, Reason::graded);
     EXPECT_NE(copy(d.buffers().lights[0].edges), copy(d.buffers().lights[0].filtered));
+    test::Frame<> everything(s.machine, d.scene.patches.size(), FrameShape(d.scene));
+    draw_frame(d.inputs(), FramePlan{}, everything.buffers, everything.counts);
+    test::expect_equal_frames(d.buffers(), everything.buffers);
 }
 
 // Lights that stand at one place have one mask, so that their mean is a mask.
