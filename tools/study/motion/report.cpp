@@ -1,6 +1,7 @@
 // The page of the study of motion.
 #include "tools/study/motion/picture.hpp"
 #include "tools/study/report_sections.hpp"
+#include "tools/study/strip.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
