@@ -27,7 +27,9 @@ std::string_view extra(const Case& c, std::string_view column) {
     return {};
 }
 
-double at_of(const Case& c) { return std::strtod(std::string(extra(c, "asked_at")).c_str(), nullptr); }
+double at_of(const Case& c) {
+    return std::strtod(std::string(extra(c, "asked_at")).c_str(), nullptr);
+}
 
 class Lights final : public Study {
 public:
@@ -173,15 +175,15 @@ Row Lights::run(const Request&, const Case& c, const LoadedScene* drawn) const {
 std::vector<ColumnMeaning> Lights::columns() const {
     std::vector<ColumnMeaning> all(std::begin(rate_columns), std::end(rate_columns));
     for (const ColumnMeaning& own : std::initializer_list<ColumnMeaning>{
-             {"question", "what is varied: the size of the scene's map; the angle between its light "
-                          "and its observer; the same of a lamp over balls; a lamp's height"},
+             {"question", "what is varied: the size of the scene's map; the angle between its "
+                          "light and its observer; the same of a lamp over balls; a lamp's height"},
              {"at", "texels of the map a pixel of the observer, relative to the scene's own "
                     "(size); degrees from the observer (angle, opposed lamp); world units over the "
                     "floor (low lamp)"},
              {"asked_at", "the same, which distinguishes the case"},
              {"map_mb", "memory of the light's map, MB of 2^20 bytes"},
-             {"texel_px_*", "pixels that the side of a texel covers, over the lit pixels: the middle "
-                            "value, and what 95 % of them do not exceed"},
+             {"texel_px_*", "pixels that the side of a texel covers, over the lit pixels: the "
+                            "middle value, and what 95 % of them do not exceed"},
              {"least_outside_*", "the least bias with under 0.1 % false shadow outside the edge "
                                  "band; empty if an eighth of the depth range is not enough"},
              {"least_*", "the least bias with under 0.1 % false shadow over all pixels"},

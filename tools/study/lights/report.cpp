@@ -106,12 +106,16 @@ std::string range_of(const Rows& rows, const char* column, const Words& page, Pr
 void answer(const Words& page, const Rows& rows, Report& report) {
     std::string words;
     const auto plain = [](double value) { return rounded(value); };
-    for (const auto& [name, of] : by_curve(rows)) {
-        words += fmt::format(" {}: the least bias in world units is {}; false light with it is "
-                             "{}; at 1.5 texels false shadow is {}.",
-                             name, range_of(of, "least_outside_world", page, plain),
-                             range_of(of, "false_light_at_least", page, percent),
-                             range_of(of, "false_shadow", page, percent));
+    const auto groups = by_curve(rows);
+    for (const auto& [name, of] : groups) {
+        // The table has the curves between, too.
+        if (name == groups.front().first || name == groups.back().first)
+            words += fmt::format(
+                " With {} the least bias in world units is {}; false light with it is {}; at 1.5 "
+                "texels false shadow is {}.",
+                name, range_of(of, "least_outside_world", page, plain),
+                range_of(of, "false_light_at_least", page, percent),
+                range_of(of, "false_shadow", page, percent));
         auto& json = report.summary()[page.name][name];
         for (const Row* row : of)
             json.push_back({{"at", row->number("at")},

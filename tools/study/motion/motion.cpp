@@ -157,7 +157,8 @@ std::vector<ColumnMeaning> MotionStudy::columns() const {
                               "frames"},
         {"flicker_steps", "flicker of each step"},
         {"flicker_*", "share that changes in the mask and not in truth"},
-        {"filtered_flicker_*", "flicker of the mask after the scene's own filters, at half darkness"},
+        {"filtered_flicker_*", "flicker of the mask after the scene's own filters, at half "
+                               "darkness"},
         {"ever_flickered", "share of the compared pixels that flicker in some step"},
         {"off_corner_texels", "how far the scene's origin is from a corner of the light's texels, "
                               "the maximum over the frames"},

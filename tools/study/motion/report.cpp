@@ -42,7 +42,8 @@ struct Kind {
 constexpr Kind kinds[] = {  // a name that begins with a figure is that figure's
     {"figure 3: nearest lookup, bias 64", "nearest", "none", "64", "fixed"},
     {"bilinear lookup, bias 192", "bilinear", "none", "192", "fixed"},
-    {"figure 4: the same, dithered, noise fixed to the place", "bilinear", "normal", "192", "fixed"},
+    {"figure 4: the same, dithered, noise fixed to the place", "bilinear", "normal", "192",
+     "fixed"},
     {"its dither renewed in each frame", "bilinear", "normal", "192", "renewed"}};
 
 bool is(const Row& row, const Kind& kind) {
@@ -67,8 +68,9 @@ void answer_range(const Rows& rows, Report& report) {
     const auto words = [](const Row& row) {
         return fmt::format("{} ({}; {})", flicker(row), motion_of(row), settings_of(row));
     };
-    report.answer(fmt::format("From frame to frame {} to {} of the compared pixels flicker: they flip "
-                              "in the mask, and their true state stays.", words(**least), words(**most)));
+    report.answer(fmt::format("From frame to frame {} to {} of the compared pixels flicker: they "
+                              "flip in the mask, and their true state stays.", words(**least),
+                              words(**most)));
 }
 
 // A sentence on each motion, of the kinds that are there.
