@@ -212,6 +212,13 @@ void report_lights(const Request& request, std::span<const Row> all, Report& rep
         if (rows.empty()) continue;
         if (!first) report.heading(page.heading);
         first = false;
+        if (page.question == Question::size)
+            report.paragraph("Both frame stores have equally many pixels, so a coarser map is one "
+                             "with a larger window, and a finer one has more bits of X and Y; the "
+                             "observer's pixels keep their size. Where both views' rows are "
+                             "parallel, as in the paper's scene, every row of the picture falls on "
+                             "the same place of a row of a finer map, which errs by as much "
+                             "everywhere; --vary light.elevation=7 turns one against the other.");
         plot(page, rows, "least_outside_world", "least", "least bias, world units", 1, true,
              report);
         plot(page, rows, "false_light_at_least", "false-light",
