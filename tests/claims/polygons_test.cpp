@@ -60,8 +60,8 @@ LineErrors line_errors(const Machine& machine, const tools::Truth& t) {
     return e;
 }
 
-// Over lights from eight azimuths in 24 degrees, half a facet's angle of the coarsest level and more
-// than one of the others: where a crease is near the true line by chance, it counts for little.
+// Over lights from eight azimuths in 24 degrees, half a facet's angle of the coarsest level and
+// more than one of the others: a crease that is near the true line by chance counts for little.
 LineErrors mean_line(const std::string& name, const Settings& s, std::span<const Ground> grounds) {
     LineErrors sum;
     for (const Ground& g : grounds) {
