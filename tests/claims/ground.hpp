@@ -90,10 +90,12 @@ struct Machine {
 // The post-process with another noise: the words of pixel (x, y), whatever they are.
 using Noise = std::function<hw::DitherWords(int x, int y)>;
 
-inline std::vector<std::uint8_t> mask_with_noise(const Machine& machine, const Noise& noise) {
+// The same through another depth map.
+inline std::vector<std::uint8_t> mask_through(const hw::FrameStore<const hw::Depth16>& depths,
+                                              const Machine& machine, const Noise& noise) {
     const Settings& s = machine.settings;
     const auto& b = machine.buffers();
-    const shadow::LightMap<hw::Depth16> map{b.lights[0].map, s.machine, s.lookup, s.background};
+    const shadow::LightMap<hw::Depth16> map{depths, s.machine, s.lookup, s.background};
     const hw::TransformUnit unit(s.machine, machine.frame.matrices.lights[0].observer_to_light);
     std::vector<std::uint8_t> mask(b.lights[0].mask.size());
     for (int y = 0; y < s.machine.size_px(); ++y)
@@ -105,6 +107,10 @@ inline std::vector<std::uint8_t> mask_with_noise(const Machine& machine, const N
                                                                : shadow::mask_lit;
         }
     return mask;
+}
+
+inline std::vector<std::uint8_t> mask_with_noise(const Machine& machine, const Noise& noise) {
+    return mask_through(machine.buffers().lights[0].map, machine, noise);
 }
 
 // The machine's noise for a whole frame, row by row.

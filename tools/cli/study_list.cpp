@@ -11,6 +11,8 @@ Studies studies() {
         made.push_back(make_moire_study());
         made.push_back(make_contours_study());
         made.push_back(make_growth_study());
+        made.push_back(make_motion_study());
+        made.push_back(make_lights_study());
         made.push_back(make_precision_study());
         made.push_back(make_stability_study());
         return made;

@@ -17,6 +17,8 @@ std::unique_ptr<Study> make_widths_study();
 std::unique_ptr<Study> make_moire_study();
 std::unique_ptr<Study> make_contours_study();
 std::unique_ptr<Study> make_growth_study();
+std::unique_ptr<Study> make_motion_study();
+std::unique_ptr<Study> make_lights_study();
 std::unique_ptr<Study> make_precision_study();
 std::unique_ptr<Study> make_stability_study();
 

@@ -166,10 +166,10 @@ TEST_F(Program, VersionIsTheProjects) {
 TEST_F(Program, StudyListsItselfAsJsonToo) {
     const json list = parse_json(run("study --json").out);
     const std::string text = run("study").out;
-    ASSERT_EQ(list.size(), 8u);
+    ASSERT_EQ(list.size(), 10u);
     for (const json& row : list)
         EXPECT_NE(text.find(row["study"].get<std::string>()), std::string::npos) << row;
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 8);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
 }
 
 TEST_F(Program, RenderWritesThePictureAndTheBuffers) {

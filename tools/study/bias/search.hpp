@@ -26,6 +26,7 @@ public:
     BiasedFrames(const LoadedScene&, const Traced&);  // both must live
 
     const shadow::Settings& settings() const { return scene_.settings; }
+    const RenderJob& job() const { return job_; }
     double bias_quanta() const;  // the settings' own bias
     // With this bias in quanta, or with the settings' own.
     MachineMask draw(std::optional<double> bias_quanta = std::nullopt);

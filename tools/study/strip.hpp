@@ -1,0 +1,17 @@
+// Square pictures in a row, for a study's page.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace umbra78::tools::study {
+
+// Of the same size, with a gap of grey between.
+struct Strip {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> gray;
+};
+Strip side_by_side(std::span<const std::vector<std::uint8_t>> pictures, int size_px);
+
+}  // namespace umbra78::tools::study
