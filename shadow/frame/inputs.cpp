@@ -1,5 +1,6 @@
 #include "shadow/frame/inputs.hpp"
 
+#include "raster/planar.hpp"
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
 
@@ -30,6 +31,22 @@ FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settin
     return ok;
 }
 
+// The light's shadow matrix. The light's own view serves its place or direction alone.
+FrameStatus load_planar(const Scene& scene, std::size_t l, const hw::MachineSpec& spec,
+                        FrameMatrices& out) {
+    out.lights[l] = {};
+    if constexpr (hw::built(hw::Feature::ground)) {
+        hw::RationalMatrix exact;
+        if (!raster::planar_shadow(scene.observer, scene.lights[l], scene.surfaces(), scene.ground,
+                                   spec, exact))
+            return FrameStatus::light_in_ground;
+        if (raster::load_view(exact, spec, out.object, out.lights[l].world_to_light) !=
+            hw::LoadStatus::ok)
+            return FrameStatus::light_matrix;
+    }
+    return FrameStatus::ok;
+}
+
 }  // namespace
 
 bool Scene::in_order() const {
@@ -48,16 +65,19 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     fixed::require(scene.in_order(), "scene with too many lights, or lights that no source has");
     if (!missing_feature(scene, settings).empty()) return not_built;
     if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
-    const bool when_drawn = method_of(settings)->tests_when_drawn();
+    const Method& method = *method_of(settings);
     for (std::size_t s = 0; s < scene.sources_used(); ++s)
-        if (when_drawn && scene.source(s).has_area()) return area_when_drawn;
+        if (method.in_shading && scene.source(s).has_area()) return area_when_drawn;
+    const bool planar = !method.has_map();
+    if (planar && (scene.streamed || scene.ground >= scene.patches.size())) return no_ground;
     out.object = scene.streamed ? raster::object_format(scene.largest_streamed)
                                 : raster::object_format(scene.surfaces());
     if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=
         hw::LoadStatus::ok)
         return observer_matrix;
     for (std::size_t l = 0; l < scene.light_count; ++l) {
-        const FrameStatus status = load_light(scene, l, settings, out);
+        const FrameStatus status =
+            planar ? load_planar(scene, l, spec, out) : load_light(scene, l, settings, out);
         if (status != ok) return status;
     }
     return ok;

@@ -47,6 +47,9 @@ struct Scene {
     // coordinates have at most this magnitude, a world word.
     bool streamed = false;
     std::uint32_t largest_streamed = 0;
+    // Which of the patches is the plane that form = ground casts shadows on.
+    static constexpr std::size_t no_ground = SIZE_MAX;
+    std::size_t ground = no_ground;
 
     raster::Surfaces surfaces() const { return {patches, mesh}; }
     std::size_t sources_used() const { return source_count == 0 ? light_count : source_count; }
@@ -66,9 +69,12 @@ enum class FrameStatus : std::uint8_t {
     shadow_matrix,
     bias_out_of_range,
     area_when_drawn,  // a source has an area, and the method tests points as they are drawn
+    no_ground,        // the form casts shadows on a ground, and the scene names none
+    light_in_ground,  // a light lies in the plane of the ground
 };
 
-// A light's matrices, rounded to the unit's words.
+// A light's matrices, rounded to the unit's words. Of a form without a map the first is the shadow
+// matrix, from the world to the observer's screen by way of the ground, and the second is 0.
 struct LightMatrices {
     hw::MatrixWords world_to_light, observer_to_light;
     std::int64_t bias_quanta_q16;

@@ -31,7 +31,7 @@ bool same_facets(const FrameInputs& a, const FrameInputs& b) {
 bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
     const hw::MachineSpec &m = a.settings.machine, &n = b.settings.machine;
     const hw::WordFormat &f = a.matrices.object, &g = b.matrices.object;
-    return m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
+    return a.scene.ground == b.scene.ground && m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
            m.coefficient_bits == n.coefficient_bits &&
            m.transform_rounding == n.transform_rounding && m.depth_rounding == n.depth_rounding &&
            a.settings.sampling == b.settings.sampling && same_facets(a, b) && f.bits == g.bits &&
@@ -122,12 +122,14 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     const bool drawing = same_drawing(before, now);
     const bool method = &method_of(before) == &method_of(now);
     const bool when_drawn = method_of(now).tests_when_drawn();
+    const bool in_shading = method_of(now).in_shading;
     r.depth = drawing && before.matrices.world_to_observer == now.matrices.world_to_observer;
     r.observer = r.depth && same_shading(before, now) &&
                  when_drawn == method_of(before).tests_when_drawn();
     bool masks = true;
     for (std::size_t l = 0; l < now.scene.light_count; ++l) {
         r.light_map[l] = drawing && same_map(before, now, l) &&
+                         method_of(before).has_map() == method_of(now).has_map() &&
                          before.matrices.lights[l].world_to_light ==
                              now.matrices.lights[l].world_to_light;
         r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
@@ -137,8 +139,9 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     if (when_drawn && !(r.observer && masks)) {
         r.observer = masks = false;
         r.mask = {};
+        if (!method_of(now).has_map()) r.light_map = {};  // a shadow is drawn over by what is before
     }
-    r.picture = r.observer && masks && same_filters(before.settings, now.settings, when_drawn);
+    r.picture = r.observer && masks && same_filters(before.settings, now.settings, in_shading);
     return r;
 }
 

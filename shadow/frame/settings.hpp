@@ -19,7 +19,9 @@
 
 namespace umbra78::shadow {
 
-enum class Form : std::uint8_t { post_process, correct };
+// How a pixel comes to be in shadow: two forms of the test against a depth map; or the planar shadow
+// on a scene's ground (hw/MACHINE.md, section 26), which has no map.
+enum class Form : std::uint8_t { post_process, correct, ground };
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
 enum class Arithmetic : std::uint8_t { fixed, ap120b };
 
@@ -71,7 +73,9 @@ const Setting* find_setting(std::string_view key);
 // method that can do what they ask (shadow/frame/methods.hpp).
 bool can_be_built(const Settings& settings);
 
-// Z codes a texel that are kept while the light's map is drawn.
-constexpr int map_layers(const Settings& s) { return s.map_depth == MapDepth::midpoint ? 2 : 1; }
+// Z codes a texel that are kept while the light's map is drawn; 0: the form has no map.
+constexpr int map_layers(const Settings& s) {
+    return s.form == Form::ground ? 0 : s.map_depth == MapDepth::midpoint ? 2 : 1;
+}
 
 }  // namespace umbra78::shadow

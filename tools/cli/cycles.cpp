@@ -73,8 +73,9 @@ void one_profile(const Options& options, const LoadedScene& scene) {
                    print(lights, clock_ns));
     fmt::print("{}: {} ns a cycle\n\n{}\n{}\n", options.scene, clock_ns,
                print_frame(ledger, clock_ns),
-               ledger.on_array ? print(ledger.array, clock_ns)
-                               : print_post_process(ledger.post_process, clock_ns));
+               ledger.on_array  ? print(ledger.array, clock_ns)
+               : ledger.has_map ? print_post_process(ledger.post_process, clock_ns)
+                                : "");
     if (is_clocked(scene))
         fmt::print("{}\n{}\n", waterfall(job), print_memory(job.replay_memory()));
     print_claim(cost_claim(ledger));

@@ -130,6 +130,9 @@ void write_files(const Options& options, const Rendered& rendered) {
     files.commit();
 }
 
+// Where there is none, nothing is compared and there is no bias.
+bool has_map(const RenderJob& job) { return shadow::map_layers(job.settings()) > 0; }
+
 // Of a scene with several depth maps; "machine" is then of the first light alone.
 ordered_json lights_json(const Rendered& rendered, std::span<const shadow::FrameLedger> ledgers) {
     const int clock_ns = rendered.scene.settings.timing.clock_ns;
@@ -137,7 +140,8 @@ ordered_json lights_json(const Rendered& rendered, std::span<const shadow::Frame
     for (const LightCost& cost : light_costs(rendered.scene, ledgers)) {
         ordered_json& row = rows.emplace_back();
         row = tools::to_json(cost);
-        row["bias"] = to_json(bias_report(rendered.job, cost.light));
+        if (has_map(rendered.job))
+            row["bias"] = to_json(bias_report(rendered.job, cost.light));
         if (!rendered.errors.empty()) row["error"] = to_json(rendered.errors[cost.light]);
     }
     return {{"frame_cycles", shadow::total(ledgers, true)},
@@ -161,7 +165,7 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
         json["hashes"][buffer.name] = hash_of(buffer);
     }
     json["error"] = to_json(rendered.error());
-    json["bias"] = to_json(bias_report(job));
+    if (has_map(job)) json["bias"] = to_json(bias_report(job));
     const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
     const int clock_ns = rendered.scene.settings.timing.clock_ns;
     json["machine"] = tools::to_json(ledgers.front(), clock_ns);
@@ -202,7 +206,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
                rendered.patches + rendered.triangles, kinds_of_surfaces(rendered.scene));
     print_planes(job);
     const std::size_t lights = rendered.scene.lights.size();
-    for (std::size_t l = 0; l < lights; ++l)
+    for (std::size_t l = 0; has_map(job) && l < lights; ++l)
         fmt::print("{:<11} {}\n", lights == 1 ? "bias" : "bias " + name_of_light(l, lights),
                    print(bias_report(job, l)));
     const std::vector<shadow::FrameLedger> ledgers = job.ledgers();

@@ -59,6 +59,9 @@ std::string_view explain(Reason reason) {
         case Reason::affine: return "no view is in perspective: W is 1";
         case Reason::partly_affine: return "W is 1 in the view that is not in perspective";
         case Reason::depth_alone: return "the light map holds only Z";
+        case Reason::shadow_drawn: return "on a ground the shadow is drawn, and no pixel is tested";
+        case Reason::no_shadow_in_view:
+            return "every surface's shadow on the ground lies outside the picture";
         case Reason::nothing_there: return "nothing was drawn there, so nothing is in shadow";
         case Reason::dither_off: return "dither is none";
         case Reason::dither_rounds_to_zero: return "dither is so small that every word is 0";
@@ -77,6 +80,7 @@ std::string_view explain(Reason reason) {
         case Reason::perspective: return "both views are in perspective: W varies";
         case Reason::may_shadow: return "a shadow may fall on something visible";
         case Reason::tested_when_drawn: return "the correct form tests points as they are drawn";
+        case Reason::masked_when_drawn: return "on a ground the masks are drawn with the picture";
         case Reason::asked_for: return "a setting asks for it";
         case Reason::changed: return "something that it is made from has changed";
         case Reason::no_frame_before: return "there is no frame before it";

@@ -101,7 +101,9 @@ void warn_of_light(const LoadedScene& scene, const raster::View& light, const st
 
 // A sheet has no back face where its front faces the light.
 void warn_of_open_surfaces(const LoadedScene& scene, Warnings& warnings) {
-    if (scene.settings.map_depth != shadow::MapDepth::back) return;
+    if (scene.settings.map_depth != shadow::MapDepth::back ||
+        shadow::map_layers(scene.settings) == 0)
+        return;
     const std::uint64_t open = open_surfaces(scene.surfaces());
     if (open > 0)
         warnings.push_back(
@@ -144,6 +146,12 @@ std::string explain(shadow::FrameStatus status) {
         case area_when_drawn:
             return "the correct form shades by a light or not, and has no light with an area; set "
                    "form = \"post_process\", or kind = \"point\"";
+        case no_ground:
+            return "form = \"ground\" casts shadows on one plane, and the scene names none; write "
+                   "ground = \"on\" into a [[plane]], or set form = \"post_process\"";
+        case light_in_ground:
+            return "a light lies in the plane of the ground, where its shadows have no end; move "
+                   "it, or set form = \"post_process\"";
         case bias_out_of_range: return "the bias is beyond 2^47 quanta; lower it";
     }
     return "the frame cannot be drawn";
@@ -162,7 +170,8 @@ Warnings warnings_of(const LoadedScene& scene) {
         warnings.push_back(
             {"empty", 0, "nothing is drawn: the scene has no [[sphere]] or other surface"});
     } else {
-        for (std::size_t l = 0; l < scene.lights.size(); ++l)
+        const bool has_map = shadow::map_layers(scene.settings) > 0;
+        for (std::size_t l = 0; has_map && l < scene.lights.size(); ++l)
             warn_of_light(scene, scene.lights[l].view, name_of_light(l, scene.lights.size()),
                           warnings);
         warn_of_open_surfaces(scene, warnings);

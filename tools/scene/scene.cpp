@@ -81,6 +81,10 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
     for (const SceneLight& light : scene.lights) perspective = perspective || has_eye(light.view);
     scene.settings = read_settings(root.find("settings"), set, perspective, error);
     if (error.any()) return;
+    if (scene.stream && scene.settings.form == shadow::Form::ground)
+        error.report(scene.name + ": form = \"ground\" draws the ground before what stands on it, "
+                                  "and a [stream] is not held; set form = \"post_process\"");
+    if (error.any()) return;
     check_matrices(scene, error);
     if (error.any()) return;
     const Warnings found = warnings_of(scene);
@@ -111,6 +115,7 @@ shadow::Scene LoadedScene::view() const {
     if (stream) return made;
     made.patches = patches;
     made.mesh = mesh();
+    if (ground) made.ground = raster::patches_per_sphere * spheres.size() + *ground;
     return made;
 }
 

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,6 +38,7 @@ struct LoadedScene {
     std::vector<raster::Material> materials;  // the last one is of surfaces that name none
     std::vector<raster::Sphere> spheres;
     std::vector<raster::Plane> planes;
+    std::optional<std::size_t> ground{};  // which of the planes form = ground casts shadows on
     std::vector<raster::Patch> patches;  // of all surfaces: the spheres', the planes', free ones
     std::vector<raster::World> vertices;  // of all meshes, and what joins them to triangles
     std::vector<std::array<std::int32_t, 3>> normals;

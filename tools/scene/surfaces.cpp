@@ -55,6 +55,15 @@ raster::Plane read_plane(const TomlNode& node, const MaterialNames& names, First
     return plane;
 }
 
+// Whether the plane is the ground; `is_second` if another one is.
+bool reads_ground(const TomlNode& node, bool is_second, FirstError& error) {
+    const TableReader in(node, scene_table("plane"), error);
+    if (in.choice("ground") != 0) return false;
+    if (is_second)
+        in.report(in.need("ground"), "a second [[plane]] is the ground; leave 'ground' out of one");
+    return true;
+}
+
 // The numbers of arrays in each other, `sizes` of them at each level, into the words from `next`
 // on. False if the tokens are something else, or a number is out of the range.
 bool read_words(ArrayTokens& tokens, std::span<const int> sizes, const NumberRange& range,
@@ -160,8 +169,10 @@ void read_surfaces(const TomlNode& root, const FileSource& files, LoadedScene& s
     const MaterialNames names = read_materials(root, scene.materials, error);
     for (const TomlNode& node : tables_of(root, "sphere", error))
         scene.spheres.push_back(read_sphere(node, names, error));
-    for (const TomlNode& node : tables_of(root, "plane", error))
+    for (const TomlNode& node : tables_of(root, "plane", error)) {
+        if (reads_ground(node, scene.ground.has_value(), error)) scene.ground = scene.planes.size();
         scene.planes.push_back(read_plane(node, names, error));
+    }
     if (error.any()) return;
     append_closed_forms(scene);
     const std::size_t closed = scene.patches.size();
