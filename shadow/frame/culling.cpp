@@ -129,7 +129,7 @@ Reach cull(const FrameInputs& in, std::size_t light) {
                                std::size_t ground) {
         Footprint of_light{}, of_observer{};
         for (std::size_t k = 0; k < surfaces.size(); ++k)
-            count(k != ground && light_view.seen(surfaces[k], of_light),
+            count(k == ground || light_view.seen(surfaces[k], of_light),  // which casts nothing
                   observer_view.seen(surfaces[k], of_observer), of_observer);
     };
     count_all(in.scene.patches, PatchView(in, m.world_to_light),

@@ -103,8 +103,8 @@ inline std::int64_t plane_limit(const FrameInputs& in, std::size_t l) {
                : fixed::floor_shift(in.matrices.lights[l].clamp_quanta_q16, 16);
 }
 
-// The surfaces that cast shadows, in parts: all in one, or, where the shadows fall on a ground, what
-// comes before and after it.
+// The surfaces that cast shadows, in parts: all in one, or, where the shadows fall on a ground,
+// what comes before and after it.
 template <class Visit>
 void for_casters(const FrameInputs& in, Visit&& visit) {
     const Scene& scene = in.scene;

@@ -42,7 +42,8 @@ PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
                             in.matrices.object,      in.settings.sampling,
                             in.scene.materials,      {},
                             in.settings.surface,     in.settings.dice_levels,
-                            dice_tolerance(in),      shades ? in.settings.facing : light_facing(in)};
+                            dice_tolerance(in),      in.settings.facing};
+    if (!shades) setup.facing = light_facing(in);
     setup.casters = casters;
     inside = counts = {};
     const auto add = [&](const raster::Surfaces& part) {

@@ -59,7 +59,7 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     plan.outside.light[l] = reach.outside_light;
     plan.outside.observer = reach.outside_observer;
     const std::uint64_t all = now.scene.surfaces().count();
-    const bool no_map = reach.outside_light == all;
+    const bool no_map = reach.outside_light == all - (has_map ? 0 : 1);  // the ground casts nothing
     const Reason nothing_cast = has_map ? no_caster : no_shadow_in_view;
     plan.at(Omission::light_map, l) = no_map ? left_out(nothing_cast) : needed(may_shadow);
     // Equal words draw equal Z, whatever the views that they come from.

@@ -44,6 +44,8 @@ bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
 
 // What the light's map keeps of its drawing.
 bool same_map(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
+    if (method_of(a).has_map() != method_of(b).has_map()) return false;
+    if (!method_of(b).has_map()) return true;  // a shadow keeps no depth
     const raster::Casters c = casters_of(a, l), d = casters_of(b, l);
     return a.settings.map_depth == b.settings.map_depth && c.slope_q8 == d.slope_q8 &&
            (c.slope_q8 == 0 || c.limit == d.limit);
@@ -94,6 +96,7 @@ bool same_window(const Settings& a, const Settings& b) {
 
 // How a point is tested against light l, given both Z planes; the bias is in the matrix.
 bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
+    if (!method_of(b).has_map()) return true;  // nothing is tested
     const Settings &s = a.settings, &t = b.settings;
     const LightMatrices &m = a.matrices.lights[l], &n = b.matrices.lights[l];
     const bool bilinear = s.lookup == Lookup::bilinear;
@@ -129,7 +132,6 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     bool masks = true;
     for (std::size_t l = 0; l < now.scene.light_count; ++l) {
         r.light_map[l] = drawing && same_map(before, now, l) &&
-                         method_of(before).has_map() == method_of(now).has_map() &&
                          before.matrices.lights[l].world_to_light ==
                              now.matrices.lights[l].world_to_light;
         r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
@@ -139,7 +141,7 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     if (when_drawn && !(r.observer && masks)) {
         r.observer = masks = false;
         r.mask = {};
-        if (!method_of(now).has_map()) r.light_map = {};  // a shadow is drawn over by what is before
+        if (!method_of(now).has_map()) r.light_map = {};  // the shadow has been drawn over
     }
     r.picture = r.observer && masks && same_filters(before.settings, now.settings, in_shading);
     return r;

@@ -144,8 +144,8 @@ constexpr std::array table{
         "how much of that a full shadow takes away: 0 invisible, 1 all of it"),
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
-        "test visible pixels after the picture is drawn, or each point before it is shaded; or draw "
-        "the scene flat on its ground, without a depth map"),
+        "test visible pixels after the picture is drawn, or each point before it is shaded; or "
+        "draw the scene flat on its ground, without a depth map"),
     choice<UMBRA78_ACCESS(arithmetic)>(
         "arithmetic", arithmetic_names,
         "of the post-process: the transform unit's, or an FPS AP-120B's (Z to 16 bits)"),

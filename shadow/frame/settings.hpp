@@ -19,8 +19,8 @@
 
 namespace umbra78::shadow {
 
-// How a pixel comes to be in shadow: two forms of the test against a depth map; or the planar shadow
-// on a scene's ground (hw/MACHINE.md, section 26), which has no map.
+// How a pixel comes to be in shadow: two forms of the test against a depth map; or the planar
+// shadow on a scene's ground (hw/MACHINE.md, section 26), which has no map.
 enum class Form : std::uint8_t { post_process, correct, ground };
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
 enum class Arithmetic : std::uint8_t { fixed, ap120b };

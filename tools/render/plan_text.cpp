@@ -50,9 +50,23 @@ constexpr std::array<Names, shadow::stage_count> stages{{
 }  // namespace
 
 std::string_view key_of(Omission o) { return omissions[static_cast<std::size_t>(o)].key; }
-std::string_view name_of(Omission o) { return omissions[static_cast<std::size_t>(o)].name; }
+std::string_view name_of(Omission o, bool has_map) {
+    if (has_map) return omissions[static_cast<std::size_t>(o)].name;
+    switch (o) {
+        case Omission::light_shading: return "shading of the shadow";
+        case Omission::light_map: return "the shadow";
+        case Omission::post_process: return "the masks";
+        case Omission::light_drawing: return "drawing the shadow";
+        case Omission::same_light_map: return "the shadow, kept";
+        default: return name_of(o, true);
+    }
+}
 std::string_view key_of(FrameStage s) { return stages[static_cast<std::size_t>(s)].key; }
-std::string_view name_of(FrameStage s) { return stages[static_cast<std::size_t>(s)].name; }
+std::string_view name_of(FrameStage s, bool has_map) {
+    if (!has_map && s == FrameStage::light) return "shadow, flat";
+    if (!has_map && s == FrameStage::post_process) return "masks";
+    return stages[static_cast<std::size_t>(s)].name;
+}
 
 std::string_view explain(Reason reason) {
     switch (reason) {

@@ -5,6 +5,7 @@ import re
 from .ap120b import array_mask
 from .dicing import diced, tolerance
 from .filters import composite, dequantize, low_pass
+from .ground import ground_masks
 from .noise import dither_words
 from .notation import half_up
 from .settings import Settings, table
@@ -110,18 +111,25 @@ class Frame:
     def __init__(self, scene_name, observer, lights, s):
         vertices, facets = mesh(scene_name)
         world = [*scene(scene_name), vertices]  # lists of places
-        self.s, ((*self.patches, vertices), self.fraction) = s, object_words(world)
+        self.s, ((*self.object_patches, vertices), self.fraction) = s, object_words(world)
         self.facets = [([vertices[k] for k in three], normals) for three, normals in facets]
         self.observer = view(observer, world)
         self.sources = [Source(name, world) for name in lights.split(" + ")]
         self.lights = [v for source in self.sources for v in source.views]
         self.coloured = any(len(source.levels) > 1 for source in self.sources)
-        if s.surface == "diced":
-            word, self.patches = tolerance(self.observer.extent_word, s), []
-            self.facets = [([object_place(p, self.fraction) for p in points], normals)
-                           for patch in world[:-1] for points, normals in diced(patch, word, s)
-                           ] + self.facets
+        self.world, self.mesh_facets = world, self.facets
+        self.patches, self.facets = self.surfaces(range(len(world) - 1), True)
         self.made, self.counts = {}, {}
+
+    def surfaces(self, numbers, with_mesh):
+        """The patches of these numbers as they are drawn, and the facets."""
+        facets = self.mesh_facets if with_mesh else []
+        if self.s.surface != "diced":
+            return [self.object_patches[k] for k in numbers], facets
+        word = tolerance(self.observer.extent_word, self.s)
+        return [], [([object_place(p, self.fraction) for p in points], normals)
+                    for k in numbers for points, normals in diced(self.world[k], word, self.s)
+                    ] + facets
 
     def __getattr__(self, buffer):
         if buffer not in self.made:
@@ -171,6 +179,9 @@ class Frame:
         if s.form == "correct":
             self.make_observer_z()
             return
+        if s.form == "ground":
+            self.make_ground_masks()
+            return
         given = (self.observer_z, self.of_light("light_z", light), self.matrix(light), s,
                  dither_words(s))
         if s.arithmetic == "ap120b":
@@ -178,6 +189,17 @@ class Frame:
             return
         clamp = self.lights[light].bias_quanta(s.bias_clamp, s.bias_unit, s)
         self.made["mask" + number] = post_process(*given, clamp >> 16 if s.bias_clamp else None)
+
+    def make_ground_masks(self):
+        """The ground is the floor, the last patch."""
+        number = len(self.world) - 2
+        others = range(number)
+        places = [p for k in (*others, -1) for p in self.world[k]]
+        masks = ground_masks(self.surfaces([number], False), self.surfaces(others, True),
+                             self.world[number], places, self.fraction, self.observer,
+                             self.lights, self.s, plain_record, self.shading())
+        for k, mask in enumerate(masks):
+            self.made["mask" + (str(k + 1) if k else "")] = mask
 
     def visible(self):
         return [code != self.s.background_code for code in self.observer_z]

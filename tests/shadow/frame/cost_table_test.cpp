@@ -2,6 +2,7 @@
 #include "raster/drawing_cost.hpp"
 #include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/filter_cost.hpp"
+#include "shadow/frame/planar_cost.hpp"
 #include "tests/support/machine_text.hpp"
 
 #include <gtest/gtest.h>
@@ -70,6 +71,11 @@ TEST(CostTable, Filters) {
     EXPECT_EQ(of_one.accesses, 2u);
     EXPECT_EQ(of_one.adds, 2u);
     expect_row(row("composite, pixel, source and channel", cost::composite_pixel));
+}
+
+TEST(CostTable, Ground) {
+    expect_row(row("sample of the observer's view, a light's mask with its record",
+                   cost::mask_with_record));
 }
 
 TEST(CostTable, Facets) {

