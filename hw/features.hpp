@@ -33,7 +33,7 @@
     X(z32, "more than 16 bits of Z") \
     X(lights, "several lights, lights with area, colour") \
     X(surface_bias, "map_depth other than first, bias_slope, and receiver = plane") \
-    X(ground, "form = ground")
+    X(ground, "form = ground and blob")
 
 namespace umbra78::hw {
 

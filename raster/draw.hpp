@@ -168,10 +168,6 @@ private:
     std::uint32_t splits_ = 0;  // of the patch
 };
 
-}  // namespace detail
-
-namespace detail {
-
 // Hands what a drawing samples to its sink, with its Z code, and counts it.
 template <class SampleSink>
 struct Emitter {

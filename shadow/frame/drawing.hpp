@@ -7,6 +7,7 @@
 #include "shadow/frame/plan.hpp"
 #include "shadow/midpoint.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -103,17 +104,32 @@ inline std::int64_t plane_limit(const FrameInputs& in, std::size_t l) {
                : fixed::floor_shift(in.matrices.lights[l].clamp_quanta_q16, 16);
 }
 
-// The surfaces that cast shadows, in parts: all in one, or, where the shadows fall on a ground,
-// what comes before and after it.
+// What stands on a scene's ground, in two parts: what comes before and after it.
 template <class Visit>
-void for_casters(const FrameInputs& in, Visit&& visit) {
-    const Scene& scene = in.scene;
-    if (method_of(in).has_map()) {
-        visit(scene.surfaces());
-        return;
-    }
+void for_others_than_ground(const Scene& scene, Visit&& visit) {
     visit(raster::Surfaces(scene.patches.first(scene.ground)));
     visit(raster::Surfaces(scene.patches.subspan(scene.ground + 1), scene.mesh));
+}
+
+// What is drawn for a light, in parts: all surfaces for its map; on a ground, what stands there, or
+// the blobs.
+template <class Visit>
+void for_casters(const FrameInputs& in, Visit&& visit) {
+    if (method_of(in).has_map()) {
+        visit(in.scene.surfaces());
+        return;
+    }
+    if (method_of(in).form != Form::blob) {
+        for_others_than_ground(in.scene, visit);
+        return;
+    }
+    if constexpr (hw::built(hw::Feature::ground)) {
+        for (const raster::Ellipse& blob : in.scene.blobs) {
+            std::array<raster::Patch, raster::patches_per_ellipse> patches;
+            raster::ellipse_patches(blob, patches);
+            visit(raster::Surfaces(patches));
+        }
+    }
 }
 
 // Which triangles cast: a shadow that is drawn flat has lost the side that faces the light.
@@ -121,12 +137,14 @@ inline raster::Facing light_facing(const FrameInputs& in) {
     return method_of(in).has_map() ? in.settings.facing : raster::Facing::both;
 }
 
-// Draws these surfaces front to back, which saves time and changes no bit.
+// Draws these surfaces front to back, which saves time and changes no bit; a blob's as they are.
 template <class Depth, class Sink>
 raster::DrawCounts draw_surfaces(const raster::Surfaces& surfaces, const raster::View& view,
                                  const raster::DrawSetup& setup, FrameBuffers<Depth>& frame,
                                  Sink& sink) {
-    const std::span order = frame.order.first(surfaces.patches.size());
+    const std::size_t patches = surfaces.patches.size();
+    const std::span order =
+        patches <= frame.order.size() ? frame.order.first(patches) : std::span<std::uint32_t>();
     if (!order.empty()) raster::order_front_to_back(surfaces.patches, view, order, frame.nearest);
     return raster::draw(surfaces, order, setup, *frame.draw, sink);
 }

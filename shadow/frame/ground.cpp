@@ -40,7 +40,7 @@ void draw_on_ground(const FrameInputs& in, const FramePlan& plan, FrameBuffers<D
         for (const LightBuffers<Depth>& light : lights) light.mask[address] = mask_lit;
     };
     BeforeSink before(frame.observer, light_up);
-    for_casters(in, [&](const raster::Surfaces& surfaces) {
+    for_others_than_ground(in.scene, [&](const raster::Surfaces& surfaces) {
         counts.observer += draw_surfaces(surfaces, view, setup, frame, before);
     });
 }

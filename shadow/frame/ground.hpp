@@ -1,4 +1,4 @@
-// The stages of form = ground: a row of shadow/frame/methods.cpp.
+// The stages of form = ground and of form = blob: rows of shadow/frame/methods.cpp.
 #pragma once
 
 #include "shadow/frame/costs.hpp"
@@ -6,7 +6,7 @@
 
 namespace umbra78::shadow {
 
-// The ground, the lights' shadows flat on it, then everything else.
+// The ground, the lights' shadows on it, then everything else.
 template <class Depth>
 void draw_on_ground(const FrameInputs&, const FramePlan&, FrameBuffers<Depth>&, FrameCounts&);
 // The masks are there; their dark pixels are counted.

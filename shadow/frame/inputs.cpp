@@ -1,5 +1,6 @@
 #include "shadow/frame/inputs.hpp"
 
+#include "raster/extent.hpp"
 #include "raster/planar.hpp"
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
@@ -31,10 +32,16 @@ FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settin
     return ok;
 }
 
-// The light's shadow matrix. The light's own view serves its place or direction alone.
-FrameStatus load_planar(const Scene& scene, std::size_t l, const hw::MachineSpec& spec,
-                        FrameMatrices& out) {
+// What draws the light's shadow on the ground. The light's own view serves its place or direction
+// alone, and blobs do not ask for a light.
+FrameStatus load_on_ground(const Scene& scene, std::size_t l, const Settings& settings,
+                           FrameMatrices& out) {
+    const hw::MachineSpec& spec = settings.machine;
     out.lights[l] = {};
+    if (settings.form == Form::blob) {
+        out.lights[l].world_to_light = out.world_to_observer;
+        return FrameStatus::ok;
+    }
     if constexpr (hw::built(hw::Feature::ground)) {
         hw::RationalMatrix exact;
         if (!raster::planar_shadow(scene.observer, scene.lights[l], scene.surfaces(), scene.ground,
@@ -45,6 +52,21 @@ FrameStatus load_planar(const Scene& scene, std::size_t l, const hw::MachineSpec
             return FrameStatus::light_matrix;
     }
     return FrameStatus::ok;
+}
+
+hw::WordFormat format_of(const Scene& scene, Form form) {
+    if (scene.streamed) return raster::object_format(scene.largest_streamed);
+    if (!hw::built(hw::Feature::ground) || form != Form::blob)
+        return raster::object_format(scene.surfaces());
+    raster::Box box;
+    const auto add = [&](const raster::World& p) { box.add(p); };
+    scene.surfaces().for_points(add);
+    for (const raster::Ellipse& blob : scene.blobs) {
+        std::array<raster::Patch, raster::patches_per_ellipse> patches;
+        raster::ellipse_patches(blob, patches);
+        raster::Surfaces(patches).for_points(add);
+    }
+    return raster::object_format(box.largest());
 }
 
 }  // namespace
@@ -68,16 +90,16 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     const Method& method = *method_of(settings);
     for (std::size_t s = 0; s < scene.sources_used(); ++s)
         if (method.in_shading && scene.source(s).has_area()) return area_when_drawn;
-    const bool planar = !method.has_map();
-    if (planar && (scene.streamed || scene.ground >= scene.patches.size())) return no_ground;
-    out.object = scene.streamed ? raster::object_format(scene.largest_streamed)
-                                : raster::object_format(scene.surfaces());
+    const bool on_ground = !method.has_map();
+    if (on_ground && (scene.streamed || scene.ground >= scene.patches.size())) return no_ground;
+    out.object = format_of(scene, settings.form);
     if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=
         hw::LoadStatus::ok)
         return observer_matrix;
     for (std::size_t l = 0; l < scene.light_count; ++l) {
         const FrameStatus status =
-            planar ? load_planar(scene, l, spec, out) : load_light(scene, l, settings, out);
+            on_ground ? load_on_ground(scene, l, settings, out)
+                      : load_light(scene, l, settings, out);
         if (status != ok) return status;
     }
     return ok;

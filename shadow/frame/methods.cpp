@@ -280,10 +280,20 @@ constexpr Method ground_method{
     .stages16 = as_built(ground_stages<hw::Depth16>),
     .stages32 = as_built(ground_stages<hw::Depth32>)};
 
+constexpr Method as_blobs(Method method) {
+    method.name = "blob";
+    method.meaning = "an ellipse on one of the scene's planes beneath each object";
+    method.cannot = "no light changes its place or its shape, and nothing but the ground is in "
+                    "shadow";
+    method.form = Form::blob;
+    return method;
+}
+constexpr Method blob_method = as_blobs(ground_method);
+
 // The rows that are built.
 constexpr std::size_t rows_built =
     1 + (built(Feature::windows) ? 1 : 0) + (built(Feature::correct_form) ? 1 : 0) +
-    (built(Feature::ap120b) ? 1 : 0) + (built(Feature::ground) ? 1 : 0);
+    (built(Feature::ap120b) ? 1 : 0) + (built(Feature::ground) ? 2 : 0);
 
 constexpr std::array<Method, rows_built> build_table() {
     std::array<Method, rows_built> rows{};
@@ -293,6 +303,7 @@ constexpr std::array<Method, rows_built> build_table() {
     if constexpr (built(Feature::correct_form)) rows[n++] = correct_method;
     if constexpr (built(Feature::ap120b)) rows[n++] = array_method;
     if constexpr (built(Feature::ground)) rows[n++] = ground_method;
+    if constexpr (built(Feature::ground)) rows[n++] = blob_method;
     return rows;
 }
 constexpr std::array<Method, rows_built> table = build_table();

@@ -31,7 +31,8 @@ bool same_facets(const FrameInputs& a, const FrameInputs& b) {
 bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
     const hw::MachineSpec &m = a.settings.machine, &n = b.settings.machine;
     const hw::WordFormat &f = a.matrices.object, &g = b.matrices.object;
-    return a.scene.ground == b.scene.ground && m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
+    return a.scene.ground == b.scene.ground && std::ranges::equal(a.scene.blobs, b.scene.blobs) &&
+           m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
            m.coefficient_bits == n.coefficient_bits &&
            m.transform_rounding == n.transform_rounding && m.depth_rounding == n.depth_rounding &&
            a.settings.sampling == b.settings.sampling && same_facets(a, b) && f.bits == g.bits &&

@@ -162,12 +162,13 @@ void print_rows(const Options& options, const Planned& planned) {
     const int size = planned.scene.settings.machine.size_px();
     const shadow::OutsideSurfaces& outside = planned.plan().outside;
     const char* const light = planned.lights() == 1 ? "light's" : "first light's";
-    fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} outside the {} {}, "
-               "{} outside the observer's view\n",
+    const std::string of_light =
+        planned.has_map() ? fmt::format("outside the {} view", light)
+                          : fmt::format("with no {} shadow in the picture", light);
+    fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} {}, {} outside the observer's\n",
                options.scene, size, size, grouped(planned.ledger().visible),
                planned.scene.surfaces().count(), kinds_of_surfaces(planned.scene),
-               outside.light[0], light, planned.has_map() ? "view" : "shadow as it is drawn",
-               outside.observer);
+               outside.light[0], of_light, outside.observer);
     const shadow::FrameLines& lines = planned.ledger().lines;
     fmt::print("scan lines: {} with something visible, {} with a shadow, {} within the low-pass's "
                "reach of one\n\n",

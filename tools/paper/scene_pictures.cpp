@@ -50,6 +50,8 @@ constexpr ScenePicture table[] = {
     {.name = "ground_map", .shows = "a floor, by a depth map", .scene = "ground.toml"},
     {.name = "ground", .shows = "the same, drawn flat on it", .scene = "ground.toml",
      .set = "form=ground"},
+    {.name = "blob", .shows = "the same, an ellipse an object", .scene = "ground.toml",
+     .set = "form=blob"},
     {.name = "three_lights", .shows = "three coloured lights", .scene = "three_lights.toml"},
     {.name = "penumbra", .shows = "a table under a lamp with area", .scene = "penumbra.toml"},
 };

@@ -147,8 +147,9 @@ std::string explain(shadow::FrameStatus status) {
             return "the correct form shades by a light or not, and has no light with an area; set "
                    "form = \"post_process\", or kind = \"point\"";
         case no_ground:
-            return "form = \"ground\" casts shadows on one plane, and the scene names none; write "
-                   "ground = \"on\" into a [[plane]], or set form = \"post_process\"";
+            return "form = \"ground\" and \"blob\" cast shadows on one plane, and the scene names "
+                   "none; write ground = \"on\" into a [[plane]], or set form = "
+                   "\"post_process\"";
         case light_in_ground:
             return "a light lies in the plane of the ground, where its shadows have no end; move "
                    "it, or set form = \"post_process\"";

@@ -154,14 +154,42 @@ void take_origin(const raster::World& origin, LoadedScene& scene) {
     scene.origin = origin;
 }
 
+bool make_blobs(LoadedScene& scene) {
+    scene.blobs.clear();
+    if (!scene.ground) return true;
+    const std::size_t ground = scene.ground_patch();
+    bool all = true;
+    SceneObject from;
+    for (const SceneObject& to : scene.objects) {
+        raster::EllipseFit fit(scene.patches[ground]);
+        for (std::size_t k = from.patches_end; k < to.patches_end; ++k)
+            for (const raster::World& p : scene.patches[k].control) fit.add(p);
+        for (std::size_t k = from.facets_end; k < to.facets_end; ++k)
+            for (const std::uint32_t v : scene.facets[k].vertex) fit.add(scene.vertices[v]);
+        const bool is_ground = from.patches_end == ground && to.patches_end == ground + 1;
+        const bool is_empty =
+            from.patches_end == to.patches_end && from.facets_end == to.facets_end;
+        from = to;
+        if (is_ground || is_empty) continue;
+        raster::Ellipse blob;
+        const bool fits = fit.fit(blob);
+        if (fits) scene.blobs.push_back(blob);
+        all = all && fits;
+    }
+    return all;
+}
+
 void append_closed_forms(LoadedScene& scene) {
     for (const raster::Sphere& sphere : scene.spheres) {
         std::array<raster::Patch, raster::patches_per_sphere> made;
         raster::sphere_patches(sphere, made);
         scene.patches.insert(scene.patches.end(), made.begin(), made.end());
+        scene.end_object();
     }
-    for (const raster::Plane& plane : scene.planes)
+    for (const raster::Plane& plane : scene.planes) {
         scene.patches.push_back(raster::plane_patch(plane));
+        scene.end_object();
+    }
 }
 
 void read_surfaces(const TomlNode& root, const FileSource& files, LoadedScene& scene,
@@ -176,8 +204,10 @@ void read_surfaces(const TomlNode& root, const FileSource& files, LoadedScene& s
     if (error.any()) return;
     append_closed_forms(scene);
     const std::size_t closed = scene.patches.size();
-    for (const TomlNode& node : tables_of(root, "patch", error))
+    for (const TomlNode& node : tables_of(root, "patch", error)) {
         scene.patches.push_back(read_patch(node, names, error));
+        scene.end_object();
+    }
     read_solids(root, names, scene, error);
     if (error.any()) return;
     read_models(root, names, files, scene, error);

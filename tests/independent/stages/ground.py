@@ -2,8 +2,9 @@
 import copy
 from fractions import Fraction
 
-from .notation import dot
+from .notation import dot, half_even
 from .store import draw
+from .words import arc
 
 
 def cross(a, b):
@@ -64,10 +65,36 @@ class ShadowView:
         return 0
 
 
-def ground_masks(ground, others, control, places, fraction, observer, lights, s, record, shading):
+def ellipse(control, points):
+    """centre, a and b of an object's blob, all in world words"""
+    o, u, v = control[0], *([c - b for c, b in zip(control[k], control[0])] for k in (3, 12))
+    uu, vv, uv = dot(u, u), dot(v, v), dot(u, v)
+    places = []
+    for p in points:
+        w = [a - b for a, b in zip(p, o)]
+        wu, wv = dot(w, u), dot(w, v)
+        places.append((Fraction(wu * vv - wv * uv, uu * vv - uv * uv),
+                       Fraction(wv * uu - wu * uv, uu * vv - uv * uv)))
+    (s0, s1), (t0, t1) = ((min(k), max(k)) for k in zip(*places))
+    return ([half_even(c + (s0 + s1) / 2 * a + (t0 + t1) / 2 * b) for c, a, b in zip(o, u, v)],
+            [half_even((s1 - s0) / 2 * a) for a in u], [half_even((t1 - t0) / 2 * b) for b in v])
+
+
+def ellipse_patches(centre, a, b):
+    patches = []
+    for m in range(8):
+        patches.append([tuple(c + half_even((x * cos + y * sin) * j, 3 << 30)
+                              for c, x, y in zip(centre, a, b))
+                        for j in range(4) for sin, cos in arc(m)])
+    return patches
+
+
+def ground_masks(ground, others, control, places, fraction, observer, lights, s, record, shading,
+                 blobs):
     """Each light's mask: of the ground and of the others, (patches, facets) as draw() takes them.
 
-    `control` is the ground's patch in world words, `places` those of the others.
+    `control` is the ground's patch in world words, `places` those of the others.  `blobs`: with
+    form = blob what is drawn for every light, as draw() takes it.
     """
     own = draw(*ground, fraction, observer, s, record, shading)
     before = draw(*others, fraction, observer, s, record, shading)
@@ -80,8 +107,11 @@ def ground_masks(ground, others, control, places, fraction, observer, lights, s,
     flat.map_depth, flat.bias_slope, flat.facing = "first", 0, "both"
     masks = []
     for light in lights:
-        view = ShadowView(observer, Ground(control, light), places)
-        covered = draw(*others, fraction, view, flat)[0]
+        if s.form == "blob":
+            covered = draw(*blobs, fraction, observer, flat)[0]
+        else:
+            view = ShadowView(observer, Ground(control, light), places)
+            covered = draw(*others, fraction, view, flat)[0]
         masks.append([255 * (seen and code != s.background_code)
                       for seen, code in zip(of_ground, covered)])
     return masks

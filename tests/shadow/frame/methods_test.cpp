@@ -20,7 +20,9 @@ using test::PlannedFrame;
 using test::PlannedScene;
 
 PlannedScene scene_of(const Method& method) {
-    PlannedScene planned = test::planned_scene(method.has_map() ? "figure 6" : "ground");
+    PlannedScene planned = test::planned_scene(method.has_map()             ? "figure 6"
+                                               : method.form == Form::blob ? "blob"
+                                                                           : "ground");
     planned.settings.form = method.form;
     planned.settings.arithmetic = method.arithmetic;
     planned.settings.lookup = method.lookups.back();
@@ -59,7 +61,7 @@ TEST(Methods, TheSettingsChooseARow) {
         }
     }
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",
-                                                  "ap120b", "ground"}));
+                                                  "ap120b", "ground", "blob"}));
     Settings none;
     none.form = Form::correct;
     none.arithmetic = Arithmetic::ap120b;

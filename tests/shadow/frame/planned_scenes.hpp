@@ -22,10 +22,12 @@ struct PlannedScene {
     std::vector<raster::World> vertices{};  // of a mesh of flat facets
     std::vector<raster::Facet> facets{};
     std::size_t ground = Scene::no_ground;
+    std::vector<raster::Ellipse> blobs{};
 
     Scene scene() const {
         Scene made{patches, materials, observer, {{light}}, 1, {vertices, {}, facets}};
         made.ground = ground;
+        made.blobs = blobs;
         return made;
     }
 };
@@ -82,6 +84,15 @@ inline void add_grounds(std::vector<PlannedScene>& all) {
         add_mesh(p);
         std::swap(p.patches[0], p.patches[p.ground]);  // it may stand anywhere
         p.ground = 0;
+    }
+    for (const char* name : {"blob", "blob, diced"}) {
+        PlannedScene& p = add(name, -100, 40);
+        p.settings.form = Form::blob;
+        p.blobs = {{{0, -127795, 0}, {65536, 0, 20000}, {0, 0, 50000}},
+                   {{60000, -127795, -30000}, {30000, 0, 0}, {0, 0, -90000}}};
+        if (p.name == "blob") continue;
+        p.settings.surface = raster::PatchForm::diced;
+        put_eye(p, p.observer, 6);
     }
     {
         PlannedScene& p = add("ground, shadow beside the picture", 90, 5);

@@ -56,7 +56,7 @@ std::string draw_over(const PlannedScene& before, const PlannedScene& now) {
 
 std::int64_t another(const Setting& setting, const Settings& s) {
     const std::int64_t v = setting.get(s);
-    if (setting.key == "form" && s.form != Form::ground)  // these scenes have none
+    if (setting.key == "form" && !is_on_ground(s.form))  // these scenes have none
         return static_cast<std::int64_t>(s.form == Form::post_process ? Form::correct
                                                                       : Form::post_process);
     if (setting.kind == SettingKind::choice) return (v + 1) % (setting.max + 1);
@@ -96,7 +96,7 @@ void change_each_setting(PlannedScene base, const Expected& expected) {
     int turn = 0;
     for (const Setting& setting : settings_table()) {
         if (umbra78::test::sanitized && ++turn % 4 != 0) continue;
-        if (setting.key == "form" && base.settings.form == Form::ground) continue;  // other buffers
+        if (setting.key == "form" && is_on_ground(base.settings.form)) continue;  // other buffers
         SCOPED_TRACE(setting.key);
         PlannedScene changed = base;
         setting.set(changed.settings, another(setting, base.settings));
@@ -133,6 +133,7 @@ TEST(Reuse, EachSettingInTurnOfAGround) {
     for (const char* key : {"dequantize", "low_pass", "composite", "density"})
         expected[key] = "LDOM";
     change_each_setting(test::planned_scene("ground"), expected);
+    change_each_setting(test::planned_scene("blob"), expected);
 }
 
 TEST(Reuse, AGroundTakesNothingFromAnotherForm) {

@@ -229,6 +229,7 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("form", "post_process", Form::post_process));
     all.push_back(named("form", "correct", Form::correct));
     all.push_back(named("form", "ground", Form::ground));
+    all.push_back(named("form", "blob", Form::blob));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
     all.push_back(named("array_memory", "standard", hw::ap120b::MemorySpeed::standard));
@@ -329,7 +330,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"ambient", {0, 256}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 2}},
+        {"form", {0, 3}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"clock_ns", {100, 10000}},

@@ -40,14 +40,14 @@ TEST(GroundScene, ThePlaneIsFoundAmongThePatches) {
 
 TEST(GroundScene, WhatIsRefused) {
     const std::string flat = plane_text("ground = \"on\"\n");
+    const std::string none = "a.toml: form = \"ground\" and \"blob\" cast shadows on one plane, and "
+                             "the scene names none";
     const std::string remedy = "; write ground = \"on\" into a [[plane]], or set form = "
                                "\"post_process\"";
     EXPECT_EQ(read(ground_lamp + ground_ball).error,
-              "a.toml: form = \"ground\" casts shadows on one plane, and the scene names none" +
-                  remedy);
+              none + remedy);
     EXPECT_EQ(read(ground_lamp + plane_text("ground = \"off\"\n")).error,
-              "a.toml: form = \"ground\" casts shadows on one plane, and the scene names none" +
-                  remedy);
+              none + remedy);
     EXPECT_EQ(read(ground_lamp + flat + flat).error,
               "a.toml:12: a second [[plane]] is the ground; leave 'ground' out of one");
     EXPECT_EQ(read(ground_lamp + ground_ball + "ground = \"on\"\n").error,
@@ -59,8 +59,8 @@ TEST(GroundScene, WhatIsRefused) {
               "a.toml: a light lies in the plane of the ground, where its shadows have no end; "
               "move it, or set form = \"post_process\"");
     EXPECT_EQ(read(ground_lamp + flat + "[settings]\nform = \"ground\"\n", "receiver=plane").error,
-              "--set receiver=plane: 'receiver' in [settings] is plane, which the machine cannot be "
-              "built with (form = ground with arithmetic = fixed has receiver = point alone)");
+              "--set receiver=plane: 'receiver' in [settings] is plane, which the machine cannot "
+              "be built with (form = ground with arithmetic = fixed has receiver = point alone)");
     EXPECT_EQ(read(ground_lamp + flat + "[settings]\nform = \"ground\"\n", "arithmetic=ap120b")
                   .error,
               "--set arithmetic=ap120b: 'arithmetic' in [settings] is ap120b, which the machine "
@@ -69,8 +69,34 @@ TEST(GroundScene, WhatIsRefused) {
         return OpenedStream{std::make_unique<Hills>(HillsShape{.patches = 4, .side = 2}), ""};
     };
     EXPECT_EQ(read(ground_lamp + flat + "[stream]\nfile = \"-\"\n", "form=ground", hills).error,
-              "a.toml: form = \"ground\" draws the ground before what stands on it, and a [stream] "
-              "is not held; set form = \"post_process\"");
+              "a.toml: form = \"ground\" and \"blob\" draw the ground before what stands on it, "
+              "and a [stream] is not held; set form = \"post_process\"");
+}
+
+// An ellipse for each surface of the file but the ground, in its order.
+TEST(GroundScene, EachSurfaceHasABlob) {
+    const std::string box = "[[box]]\ncentre = [3, 1, 0]\nsize = [2, 2, 1]\n";
+    const std::string triangle = "[[triangle]]\na = [0, 1, 4]\nb = [2, 2, 4]\nc = [0, 1, 5]\n";
+    const SceneResult result = read(ground_lamp + ground_ball + plane_text("", 3) +
+                                        plane_text("ground = \"on\"\n") + box + triangle,
+                                    "form=blob");
+    ASSERT_EQ(result.error, "");
+    using raster::Ellipse;
+    const std::vector<Ellipse> expected{
+        {{0, 0, 0}, {32768, 0, 0}, {0, 0, -32768}},
+        {{0, 0, 0}, {65536, 0, 0}, {0, 0, -65536}},
+        {{3 * 65536, 0, 0}, {65536, 0, 0}, {0, 0, -32768}},
+        {{65536, 0, 4 * 65536 + 32768}, {65536, 0, 0}, {0, 0, -32768}}};
+    EXPECT_EQ(result.scene.blobs, expected);
+    EXPECT_TRUE(read(ground_lamp + ground_ball, "form=correct").scene.blobs.empty());
+    // The box of what lies in the world may reach out of it on a plane that is askew.
+    const std::string skew = "[[plane]]\norigin = [0, 0, 0]\nu = [1, 1, 0]\nv = [1, -1, 1]\n"
+                             "ground = \"on\"\n[[triangle]]\na = [0, 0, 0]\n"
+                             "b = [30000, 30000, 0]\nc = [30000, -30000, 30000]\n";
+    EXPECT_EQ(read(ground_lamp + skew, "form=blob").error,
+              "a.toml: a blob on the ground reaches out of the world, -32766 .. 32766; scale the "
+              "scene");
+    EXPECT_EQ(read(ground_lamp + skew, "form=ground").error, "");
 }
 
 // Its own view of the light is not drawn: nothing is warned of its window, depths or bias.
