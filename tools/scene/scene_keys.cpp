@@ -136,8 +136,7 @@ constexpr SceneKey plane_keys[] = {
      .example = "[0, 0, -1]",
      .meaning = "along the other side, not parallel to u; all corners stay within -32767 .. 32767"},
     {.key = "ground", .kind = choice, .choices = on_or_off, .fallback = 1,
-     .meaning = "with form = ground or blob shadows fall on this plane, and on it alone; one may be "
-                "it"},
+     .meaning = "with form = ground or blob shadows fall on this plane alone; one may be it"},
     material,
 };
 constexpr SceneKey patch_keys[] = {

@@ -40,8 +40,8 @@ TEST(GroundScene, ThePlaneIsFoundAmongThePatches) {
 
 TEST(GroundScene, WhatIsRefused) {
     const std::string flat = plane_text("ground = \"on\"\n");
-    const std::string none = "a.toml: form = \"ground\" and \"blob\" cast shadows on one plane, and "
-                             "the scene names none";
+    const std::string none = "a.toml: form = \"ground\" and \"blob\" cast shadows on one plane, "
+                             "and the scene names none";
     const std::string remedy = "; write ground = \"on\" into a [[plane]], or set form = "
                                "\"post_process\"";
     EXPECT_EQ(read(ground_lamp + ground_ball).error,
