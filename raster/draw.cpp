@@ -26,8 +26,12 @@ std::array<Component, N> first(const std::array<Component, 4>& c) {
 
 hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
                          MatrixWords& out) {
-    const hw::LoadStatus status =
-        hw::load_matrix(world_to_screen(view, spec), spec, object, out);
+    return load_view(world_to_screen(view, spec), spec, object, out);
+}
+
+hw::LoadStatus load_view(const RationalMatrix& exact, const MachineSpec& spec, WordFormat object,
+                         MatrixWords& out) {
+    const hw::LoadStatus status = hw::load_matrix(exact, spec, object, out);
     if (status != hw::LoadStatus::ok || !out.affine) return status;
     // |accumulator| <= 2^(object.bits + coefficient_bits), and the row's shift makes it a word.
     for (const hw::Row row : {hw::Row::x, hw::Row::y, hw::Row::z}) {

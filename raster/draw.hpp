@@ -49,6 +49,9 @@ concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
 // raster word could be so large that its corrections and bounds would not fit 64 bits.
 hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
                          MatrixWords& out);
+// The same of any matrix from world units to the screen.
+hw::LoadStatus load_view(const RationalMatrix& exact, const MachineSpec& spec, WordFormat object,
+                         MatrixWords& out);
 
 struct DrawCounts {
     std::uint64_t subdivided() const { return patches - diced_patches; }
@@ -164,10 +167,6 @@ private:
     std::size_t depth_ = 0;  // blocks on the stack; the popped one lies just above
     std::uint32_t splits_ = 0;  // of the patch
 };
-
-}  // namespace detail
-
-namespace detail {
 
 // Hands what a drawing samples to its sink, with its Z code, and counts it.
 template <class SampleSink>

@@ -86,12 +86,18 @@ public:
     bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
     template <class Shading>
     void sample(const Sample& s, std::uint32_t code, const Shading* shading) {
+        replaces(s, code, shading);
+    }
+    // The same, and whether the sample's record is now the stored one.
+    template <class Shading>
+    bool replaces(const Sample& s, std::uint32_t code, const Shading* shading) {
         const std::size_t a = store_.address(s.px, s.py);
-        if (code > store_.depth[a]) return;
+        if (code > store_.depth[a]) return false;
         const Shades shade = shading->shade(s, 0);
-        if (code == store_.depth[a] && shade >= planes_.at(a)) return;
+        if (code == store_.depth[a] && shade >= planes_.at(a)) return false;
         store_.depth[a] = static_cast<Depth>(code);
         planes_.put(a, shade);
+        return true;
     }
 
 private:

@@ -18,18 +18,6 @@ Rational q16(std::int64_t word) { return Rational(word, one_q16); }
 
 using ExactVector = Vector<Rational>;
 
-ExactVector exact(const Axis& a) { return {q30(a[0]), q30(a[1]), q30(a[2])}; }
-
-// The point that matrices measure from: the target, or the eye of a perspective view.
-ExactVector origin(const View& v) {
-    ExactVector o{q16(v.target.x), q16(v.target.y), q16(v.target.z)};
-    if (has_eye(v)) {
-        const ExactVector back = exact(v.axes.back);
-        for (std::size_t k = 0; k < 3; ++k) o[k] += q16(v.distance) * back[k];
-    }
-    return o;
-}
-
 // Pixels a world unit at the target (orthographic: everywhere), times `distance` in perspective.
 Rational focal(const View& v, const MachineSpec& spec) {
     const Rational scale = Rational(spec.half_px()) / q16(v.extent);
@@ -60,6 +48,17 @@ Axis normalized(WideVector v) {
 }
 
 }  // namespace
+
+ExactVector exact(const Axis& a) { return {q30(a[0]), q30(a[1]), q30(a[2])}; }
+
+ExactVector origin(const View& v) {
+    ExactVector o{q16(v.target.x), q16(v.target.y), q16(v.target.z)};
+    if (has_eye(v)) {
+        const ExactVector back = exact(v.axes.back);
+        for (std::size_t k = 0; k < 3; ++k) o[k] += q16(v.distance) * back[k];
+    }
+    return o;
+}
 
 ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16) {
     const fixed::SineCosine a = fixed::sine_cosine(azimuth_q16);

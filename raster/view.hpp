@@ -106,6 +106,10 @@ DepthRange depth_range_of(const View& view, const AxisRange& back);
 // near is at least far / 1024.
 void fit_depth(View& view, const DepthRange& scene);
 
+// An axis, and the point that matrices measure from: the target, or the eye of a perspective view.
+Vector<Rational> exact(const Axis& axis);
+Vector<Rational> origin(const View& view);  // world units
+
 // World units (not words) to homogeneous screen pixels, and back.
 RationalMatrix world_to_screen(const View& view, const MachineSpec& spec);
 RationalMatrix screen_to_world(const View& view, const MachineSpec& spec);

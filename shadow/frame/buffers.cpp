@@ -39,7 +39,7 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
         const std::span of_source = std::span(f.lights).subspan(next, shape.lights_of[s]);
         next += of_source.size();
         for (LightBuffers<Depth>& light : of_source) {
-            light.map = {spec.xy_bits, carver.take<Depth>(pixels)};
+            light.map = {spec.xy_bits, carver.take<Depth>(shape.map_layers > 0 ? pixels : 0)};
             light.second = {spec.xy_bits, carver.take<Depth>(shape.map_layers > 1 ? pixels : 0)};
             const bool has_mask = !shape.sectored[s] || &light == &of_source.front();
             light.mask = has_mask ? planes(1) : of_source.front().mask;

@@ -21,7 +21,8 @@ namespace umbra78::shadow {
 // The planes that each light has. Darkness is 0 (lit) to 255 (in shadow).
 template <class Depth>
 struct LightBuffers {
-    hw::FrameStore<Depth> map;      // the light's depth map; it has no intensity
+    hw::FrameStore<Depth> map;      // the light's depth map; it has no intensity. Empty if carved
+                                    // for a form without one
     hw::FrameStore<Depth> second;   // the second Z while it is drawn; empty if carved for one
     std::span<std::uint8_t> mask;   // the darkness, as the method wrote it; one for all sectors
     // Of a source's first light alone:
@@ -69,7 +70,8 @@ struct FrameShape {
     std::size_t lights = 1, sources = 1, channels = 1;
     std::array<std::uint8_t, max_sources> lights_of{1};
     std::array<bool, max_sources> sectored{}, graded{};
-    int map_layers = 1;  // Z codes a texel while a map is drawn: shadow::map_layers(settings)
+    int map_layers = 1;  // Z codes a texel while a map is drawn: shadow::map_layers(settings);
+                         // 0: no map
 
     FrameShape() = default;
     explicit FrameShape(int layers) : map_layers(layers) {}

@@ -49,6 +49,10 @@ public:
 
     void map() {
         if (leaves_out(Omission::same_light_map) || leaves_out(Omission::light_map)) return;
+        // Drawn with the masks.
+        if (!ledger_.has_map && (leaves_out(Omission::same_mask) ||
+                                 leaves_out(Omission::post_process)))
+            return;
         const bool inside = plan_.leaves_out(Omission::outside_surfaces);
         StageCycles copied;
         copied.store = 2 * pixels_;
@@ -56,7 +60,8 @@ public:
                                    ? copied
                                    : view(drawn_, in_.matrices.lights[l_].world_to_light,
                                           inside ? ledger_.light_inside : ledger_.light_counts,
-                                          !leaves_out(Omission::light_shading), plan_,
+                                          ledger_.has_map && !leaves_out(Omission::light_shading),
+                                          plan_,
                                           map_operations(in_, inside ? ledger_.light_inside
                                                                      : ledger_.light_counts)));
     }

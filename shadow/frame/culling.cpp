@@ -1,6 +1,7 @@
 #include "shadow/frame/culling.hpp"
 
 #include "hw/sectors.hpp"
+#include "shadow/frame/methods.hpp"
 #include "shadow/post_process.hpp"
 
 #include <algorithm>
@@ -156,18 +157,23 @@ Reach cull(const FrameInputs& in, std::size_t light) {
             reach.into_light = may_reach_light(word_box(footprint, in.settings), in, light);
         }
     };
-    const auto count_all = [&](const auto& surfaces, auto light_view, auto observer_view) {
+    const bool has_map = method_of(in).has_map();
+    const bool is_blob = method_of(in).form == Form::blob;  // which has a place of its own
+    reach.into_light = !has_map;  // no pixel is moved there
+    const auto count_all = [&](const auto& surfaces, auto light_view, auto observer_view,
+                               std::size_t ground) {
         Footprint of_light{}, of_observer{};
-        for (const auto& surface : surfaces)
-            count(light_view.seen(surface, of_light), observer_view.seen(surface, of_observer),
-                  of_observer);
+        for (std::size_t k = 0; k < surfaces.size(); ++k)
+            count(k == ground || is_blob || light_view.seen(surfaces[k], of_light),
+                  observer_view.seen(surfaces[k], of_observer), of_observer);
     };
     count_all(in.scene.patches, PatchView(in, m.world_to_light),
-              PatchView(in, in.matrices.world_to_observer));
+              PatchView(in, in.matrices.world_to_observer),
+              has_map ? Scene::no_ground : in.scene.ground);
     if constexpr (hw::built(hw::Feature::triangles)) {
         if (!in.scene.mesh.facets.empty())
             count_all(in.scene.mesh.facets, FacetView(in, m.world_to_light),
-                      FacetView(in, in.matrices.world_to_observer));
+                      FacetView(in, in.matrices.world_to_observer), Scene::no_ground);
     }
     return reach;
 }

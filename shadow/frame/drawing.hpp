@@ -3,9 +3,11 @@
 
 #include "shadow/frame/buffers.hpp"
 #include "shadow/frame/features.hpp"
+#include "shadow/frame/methods.hpp"
 #include "shadow/frame/plan.hpp"
 #include "shadow/midpoint.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -21,11 +23,12 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
                 frame.observer.intensity.size() == channels * pixels &&
                 frame.observer.direct.size() == channels * sources * pixels &&
                 frame.picture.size() == channels * pixels;
+    const std::size_t layers = static_cast<std::size_t>(map_layers(in.settings));
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
         const LightBuffers<Depth>& light = frame.lights[l];
-        fits = fits && light.map.xy_bits == m.xy_bits && light.map.depth.size() == pixels &&
-               light.mask.size() == pixels &&
-               light.second.depth.size() >= (map_layers(in.settings) > 1 ? pixels : 0);
+        fits = fits && light.map.xy_bits == m.xy_bits && light.mask.size() == pixels &&
+               light.map.depth.size() >= (layers > 0 ? pixels : 0) &&
+               light.second.depth.size() >= (layers > 1 ? pixels : 0);
     }
     for (std::size_t s = 0; s < sources; ++s) {
         const LightBuffers<Depth>& first = frame.lights[in.scene.source(s).first_light];
@@ -86,6 +89,7 @@ inline raster::DrawSetup draw_setup(const FrameInputs& in, const FramePlan& plan
 inline raster::Casters casters_of(const FrameInputs& in, std::size_t l) {
     const Settings& s = in.settings;
     raster::Casters c;
+    if (!method_of(in).has_map()) return c;  // no depth is kept
     if (s.map_depth == MapDepth::back) c.facing = raster::Facing::back;
     c.slope_q8 = s.bias_slope_q8;
     if (s.bias_clamp_q16 > 0)
@@ -101,6 +105,51 @@ inline std::int64_t plane_limit(const FrameInputs& in, std::size_t l) {
                : fixed::floor_shift(in.matrices.lights[l].clamp_quanta_q16, 16);
 }
 
+// What stands on a scene's ground, in two parts: what comes before and after it.
+template <class Visit>
+void for_others_than_ground(const Scene& scene, Visit&& visit) {
+    visit(raster::Surfaces(scene.patches.first(scene.ground)));
+    visit(raster::Surfaces(scene.patches.subspan(scene.ground + 1), scene.mesh));
+}
+
+// What is drawn for a light, in parts: all surfaces for its map; on a ground, what stands there, or
+// the blobs.
+template <class Visit>
+void for_casters(const FrameInputs& in, Visit&& visit) {
+    if (method_of(in).has_map()) {
+        visit(in.scene.surfaces());
+        return;
+    }
+    if (method_of(in).form != Form::blob) {
+        for_others_than_ground(in.scene, visit);
+        return;
+    }
+    if constexpr (hw::built(hw::Feature::ground)) {
+        for (const raster::Ellipse& blob : in.scene.blobs) {
+            std::array<raster::Patch, raster::patches_per_ellipse> patches;
+            raster::ellipse_patches(blob, patches);
+            visit(raster::Surfaces(patches));
+        }
+    }
+}
+
+// Which triangles cast: a shadow that is drawn flat has lost the side that faces the light.
+inline raster::Facing light_facing(const FrameInputs& in) {
+    return method_of(in).has_map() ? in.settings.facing : raster::Facing::both;
+}
+
+// Draws these surfaces front to back, which saves time and changes no bit; a blob's as they are.
+template <class Depth, class Sink>
+raster::DrawCounts draw_surfaces(const raster::Surfaces& surfaces, const raster::View& view,
+                                 const raster::DrawSetup& setup, FrameBuffers<Depth>& frame,
+                                 Sink& sink) {
+    const std::size_t patches = surfaces.patches.size();
+    const std::span order =
+        patches <= frame.order.size() ? frame.order.first(patches) : std::span<std::uint32_t>();
+    if (!order.empty()) raster::order_front_to_back(surfaces.patches, view, order, frame.nearest);
+    return raster::draw(surfaces, order, setup, *frame.draw, sink);
+}
+
 // Draws into what the store holds; the sink decides whether a sample replaces what is there. What
 // is left out as hidden depends on the order; a batch of a stream has none.
 template <class Depth, class Sink>
@@ -109,10 +158,8 @@ raster::DrawCounts draw_view(const FrameInputs& in, const FramePlan& plan, const
                              Sink& sink, const raster::Casters& casters = {}) {
     raster::DrawSetup setup = draw_setup(in, plan, matrix);
     setup.casters = casters;
-    const std::span order =
-        in.scene.streamed ? std::span<std::uint32_t>() : frame.order.first(in.scene.patches.size());
-    if (!order.empty()) raster::order_front_to_back(in.scene.patches, view, order, frame.nearest);
-    return raster::draw(in.scene.surfaces(), order, setup, *frame.draw, sink);
+    if (in.scene.streamed) return raster::draw(in.scene.surfaces(), {}, setup, *frame.draw, sink);
+    return draw_surfaces(in.scene.surfaces(), view, setup, frame, sink);
 }
 
 // The same of light l's view. `sink` serves maps of one layer; with two the frame's own is used.

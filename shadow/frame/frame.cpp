@@ -46,7 +46,7 @@ void require_held(const FrameInputs& in) {
 template <class Depth>
 void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
               FrameBuffers<Depth>& frame, FrameCounts& counts) {
-    if (plan.leaves_out(Omission::same_light_map, l)) return;
+    if (plan.leaves_out(Omission::same_light_map, l) || !method_of(in).has_map()) return;
     if (plan.leaves_out(Omission::light_drawing, l)) {  // draw_observer copies it
         counts.lights[l].map = {};
         return;
@@ -133,7 +133,7 @@ void darken(const FrameInputs& in, std::size_t channel, std::size_t source,
         frame.lights[in.scene.source(source).first_light].filtered;
     const std::span<std::uint8_t> out = frame.picture_of(channel);
     // A shadow that is in the shading already darkens nothing more.
-    const int density = method_of(in).tests_when_drawn() ? 0 : in.settings.density_q8;
+    const int density = method_of(in).in_shading ? 0 : in.settings.density_q8;
     const auto n = static_cast<std::size_t>(lines.size());
     for (int y = 0; y < lines.size(); ++y) {
         const auto line = [&](auto plane) {

@@ -1,6 +1,8 @@
 #include "shadow/frame/inputs.hpp"
 
 #include "hw/sectors.hpp"
+#include "raster/extent.hpp"
+#include "raster/planar.hpp"
 #include "shadow/filters/ramp.hpp"
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
@@ -46,6 +48,43 @@ FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settin
     return ok;
 }
 
+// What draws the light's shadow on the ground. The light's own view serves its place or direction
+// alone, and blobs do not ask for a light.
+FrameStatus load_on_ground(const Scene& scene, std::size_t l, const Settings& settings,
+                           FrameMatrices& out) {
+    const hw::MachineSpec& spec = settings.machine;
+    out.lights[l] = {};
+    if (settings.form == Form::blob) {
+        out.lights[l].world_to_light = out.world_to_observer;
+        return FrameStatus::ok;
+    }
+    if constexpr (hw::built(hw::Feature::ground)) {
+        hw::RationalMatrix exact;
+        if (!raster::planar_shadow(scene.observer, scene.lights[l], scene.surfaces(), scene.ground,
+                                   spec, exact))
+            return FrameStatus::light_in_ground;
+        if (raster::load_view(exact, spec, out.object, out.lights[l].world_to_light) !=
+            hw::LoadStatus::ok)
+            return FrameStatus::light_matrix;
+    }
+    return FrameStatus::ok;
+}
+
+hw::WordFormat format_of(const Scene& scene, Form form) {
+    if (scene.streamed) return raster::object_format(scene.largest_streamed);
+    if (!hw::built(hw::Feature::ground) || form != Form::blob)
+        return raster::object_format(scene.surfaces());
+    raster::Box box;
+    const auto add = [&](const raster::World& p) { box.add(p); };
+    scene.surfaces().for_points(add);
+    for (const raster::Ellipse& blob : scene.blobs) {
+        std::array<raster::Patch, raster::patches_per_ellipse> patches;
+        raster::ellipse_patches(blob, patches);
+        raster::Surfaces(patches).for_points(add);
+    }
+    return raster::object_format(box.largest());
+}
+
 }  // namespace
 
 bool Scene::in_order() const {
@@ -68,18 +107,21 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
     fixed::require(scene.in_order(), "scene with too many lights, or lights that no source has");
     if (!missing_feature(scene, settings).empty()) return not_built;
     if (hw::check(spec) != hw::SpecStatus::ok || !method_can(settings)) return spec_out_of_range;
-    const bool when_drawn = method_of(settings)->tests_when_drawn();
+    const Method& method = *method_of(settings);
     for (std::size_t s = 0; s < scene.sources_used(); ++s) {
-        if (when_drawn && scene.source(s).is_graded()) return area_when_drawn;
-        if (scene.source(s).sectored && !method_of(settings)->takes_sectors) return sectors_refused;
+        if (method.in_shading && scene.source(s).is_graded()) return area_when_drawn;
+        if (scene.source(s).sectored && !method.takes_sectors) return sectors_refused;
     }
-    out.object = scene.streamed ? raster::object_format(scene.largest_streamed)
-                                : raster::object_format(scene.surfaces());
+    const bool on_ground = !method.has_map();
+    if (on_ground && (scene.streamed || scene.ground >= scene.patches.size())) return no_ground;
+    out.object = format_of(scene, settings.form);
     if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=
         hw::LoadStatus::ok)
         return observer_matrix;
     for (std::size_t l = 0; l < scene.light_count; ++l) {
-        const FrameStatus status = load_light(scene, l, settings, out);
+        const FrameStatus status =
+            on_ground ? load_on_ground(scene, l, settings, out)
+                      : load_light(scene, l, settings, out);
         if (status != ok) return status;
     }
     return ok;

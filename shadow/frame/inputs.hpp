@@ -8,6 +8,7 @@
 #pragma once
 
 #include "hw/ap120b/transform.hpp"
+#include "raster/blob.hpp"
 #include "raster/draw.hpp"
 #include "shadow/bias.hpp"
 #include "shadow/frame/settings.hpp"
@@ -53,6 +54,10 @@ struct Scene {
     // coordinates have at most this magnitude, a world word.
     bool streamed = false;
     std::uint32_t largest_streamed = 0;
+    // Which of the patches is the plane that form = ground and blob cast shadows on, and the blobs.
+    static constexpr std::size_t no_ground = SIZE_MAX;
+    std::size_t ground = no_ground;
+    std::span<const raster::Ellipse> blobs{};
 
     raster::Surfaces surfaces() const { return {patches, mesh}; }
     std::size_t sources_used() const { return source_count == 0 ? light_count : source_count; }
@@ -80,9 +85,12 @@ enum class FrameStatus : std::uint8_t {
     bias_out_of_range,
     area_when_drawn,  // a source has an area or a ramp, and the method tests points when drawn
     sectors_refused,  // a source has sectors, and the method has none
+    no_ground,        // the form casts shadows on a ground, and the scene names none
+    light_in_ground,  // a light lies in the plane of the ground
 };
 
-// A light's matrices, rounded to the unit's words.
+// A light's matrices, rounded to the unit's words. Of a form without a map the first is what its
+// shadow is drawn by, from the world to the observer's screen, and the second is 0.
 struct LightMatrices {
     hw::MatrixWords world_to_light, observer_to_light;
     std::int64_t bias_quanta_q16;

@@ -44,11 +44,20 @@ PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
                             in.scene.materials,      {},
                             in.settings.surface,     in.settings.dice_levels,
                             dice_tolerance(in),      in.settings.facing};
+    if (!shades) setup.facing = light_facing(in);
     setup.casters = casters;
-    setup.drawn = raster::Drawn::inside;
-    inside = counts = raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
-    setup.drawn = raster::Drawn::outside;
-    counts += raster::draw(in.scene.surfaces(), {}, setup, memory, sink);
+    inside = counts = {};
+    const auto add = [&](const raster::Surfaces& part) {
+        setup.drawn = raster::Drawn::inside;
+        inside += raster::draw(part, {}, setup, memory, sink);
+        setup.drawn = raster::Drawn::outside;
+        counts += raster::draw(part, {}, setup, memory, sink);
+    };
+    if (shades)
+        add(in.scene.surfaces());
+    else
+        for_casters(in, add);
+    counts += inside;
     return operations();
 }
 
@@ -159,6 +168,7 @@ hw::Operations drawing_operations(const FrameInputs& in, const hw::MatrixWords& 
 hw::Operations map_operations(const FrameInputs& in, const raster::DrawCounts& counts) {
     const Settings& s = in.settings;
     hw::Operations o{};
+    if (map_layers(s) == 0) return o;
     if (s.bias_slope_q8 > 0) o += raster::slope_operations(counts);
     if (map_layers(s) > 1)
         o += counts.samples * cost::second_sample +
@@ -235,6 +245,7 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
     const std::uint64_t pixels = std::uint64_t{1} << (2 * s.machine.xy_bits);
     const Method& method = method_of(in);
     FrameLedger l;
+    l.has_map = method.has_map();
     l.light = drawing(in, in.matrices.lights[light].world_to_light, counts.lights[light].map,
                       *frame.draw, false, casters_of(in, light), l.light_counts, l.light_inside);
     if (other != nullptr) {

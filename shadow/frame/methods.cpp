@@ -5,6 +5,7 @@
 #include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/costs.hpp"
 #include "shadow/frame/drawing.hpp"
+#include "shadow/frame/ground.hpp"
 
 #include <algorithm>
 #include <array>
@@ -188,6 +189,8 @@ constexpr std::string_view no_cost =
 constexpr std::array answering_lookups{Lookup::nearest, Lookup::bilinear, Lookup::filtered_depth};
 constexpr std::array array_lookups{Lookup::nearest, Lookup::bilinear};
 constexpr std::array graded_lookups{Lookup::percentage};
+constexpr std::array all_lookups{Lookup::nearest, Lookup::bilinear, Lookup::percentage,
+                                 Lookup::filtered_depth};
 
 constexpr Method post_process_method{
     .name = "post_process",
@@ -204,6 +207,7 @@ constexpr Method post_process_method{
     .may_run_out = false,
     .takes_plane = built(Feature::surface_bias),
     .takes_sectors = built(Feature::lights),
+    .in_shading = false,
     .uses_transform_unit = true,
     .trace = Trace::clocked_post_process,
     .no_trace = "",
@@ -242,6 +246,7 @@ constexpr Method correct_method{
     .may_run_out = false,
     .takes_plane = false,
     .takes_sectors = false,
+    .in_shading = true,
     .uses_transform_unit = true,
     .trace = Trace::none,
     .no_trace = "the correct form has no post-process to watch; give --set form=post_process",
@@ -269,6 +274,7 @@ constexpr Method array_method{
     .may_run_out = false,
     .takes_plane = false,
     .takes_sectors = false,
+    .in_shading = false,
     .uses_transform_unit = false,
     .trace = Trace::none,
     .no_trace = "only the fixed-point machine can be watched; give --set arithmetic=fixed",
@@ -280,10 +286,52 @@ constexpr Method array_method{
     .stages16 = as_built(array_stages<hw::Depth16>),
     .stages32 = as_built(array_stages<hw::Depth32>)};
 
+template <class Depth>
+constexpr MethodStages<Depth> ground_stages{draw_on_ground<Depth>, count_on_ground<Depth>,
+                                            cost_on_ground<Depth>};
+
+constexpr Method ground_method{
+    .name = "ground",
+    .meaning = "the scene is drawn flat on one of its planes, from the light (Blinn 1988)",
+    .cannot = "nothing but the ground is in shadow, and the ground casts none",
+    .form = Form::ground,
+    .arithmetic = Arithmetic::fixed,
+    .lookups = all_lookups,  // there is none
+    .max_z_bits = 24,
+    .depth_layers = 0,
+    .surfaces = Surfaces::patches,
+    .plane = ExtraPlane::none,
+    .darkness = Darkness::binary,
+    .may_run_out = false,
+    .takes_plane = false,
+    .takes_sectors = false,
+    .in_shading = false,
+    .uses_transform_unit = true,
+    .trace = Trace::none,
+    .no_trace = "a shadow on the ground is drawn, and no pixel is tested; give "
+                "--set form=post_process",
+    .no_plan_cost = no_cost,
+    .load = nullptr,
+    .units = fixed_units,
+    .scene_cost = nullptr,
+    .plan_cost = built(Feature::ledger) ? ground_cycles : nullptr,
+    .stages16 = as_built(ground_stages<hw::Depth16>),
+    .stages32 = as_built(ground_stages<hw::Depth32>)};
+
+constexpr Method as_blobs(Method method) {
+    method.name = "blob";
+    method.meaning = "an ellipse on one of the scene's planes beneath each object";
+    method.cannot = "no light changes its place or its shape, and nothing but the ground is in "
+                    "shadow";
+    method.form = Form::blob;
+    return method;
+}
+constexpr Method blob_method = as_blobs(ground_method);
+
 // The rows that are built.
 constexpr std::size_t rows_built =
     1 + (built(Feature::windows) ? 1 : 0) + (built(Feature::correct_form) ? 1 : 0) +
-    (built(Feature::ap120b) ? 1 : 0);
+    (built(Feature::ap120b) ? 1 : 0) + (built(Feature::ground) ? 2 : 0);
 
 constexpr std::array<Method, rows_built> build_table() {
     std::array<Method, rows_built> rows{};
@@ -292,6 +340,8 @@ constexpr std::array<Method, rows_built> build_table() {
     if constexpr (built(Feature::windows)) rows[n++] = percentage_method;
     if constexpr (built(Feature::correct_form)) rows[n++] = correct_method;
     if constexpr (built(Feature::ap120b)) rows[n++] = array_method;
+    if constexpr (built(Feature::ground)) rows[n++] = ground_method;
+    if constexpr (built(Feature::ground)) rows[n++] = blob_method;
     return rows;
 }
 constexpr std::array<Method, rows_built> table = build_table();

@@ -37,8 +37,7 @@ enum class Trace : std::uint8_t { none, clocked_post_process };
 // A method's work on buffers of one depth type. `l` is the light's number.
 template <class Depth>
 struct MethodStages {
-    // Draws the observer's view and tests each point as it is drawn, so that the shadow is in the
-    // shading; null if the method tests after the drawing.
+    // Draws the observer's view and the masks with it; null if the method tests after the drawing.
     void (*draw)(const FrameInputs&, const FramePlan&, FrameBuffers<Depth>&, FrameCounts&);
     // Writes the darkness, unless `draw` has written it, and counts.
     void (*cast)(const FrameInputs&, const FramePlan&, std::size_t l, FrameBuffers<Depth>&,
@@ -55,13 +54,14 @@ struct Method {
     Arithmetic arithmetic;
     std::span<const Lookup> lookups;
     int max_z_bits;
-    int depth_layers;             // Z codes a texel of the light's map: 1 or 2
+    int depth_layers;             // Z codes a texel of the light's map: 1 or 2; 0: it has none
     Surfaces surfaces;
     ExtraPlane plane;
     Darkness darkness;
     bool may_run_out;             // of FrameBuffers::method_memory; LightCounts::capacity says so
     bool takes_plane;             // receiver = plane
     bool takes_sectors;           // lights that shine in all directions
+    bool in_shading;              // points are tested before they are shaded: nothing to composite
     bool uses_transform_unit;     // so that the width of the coefficients changes bits and cycles
     Trace trace;
     std::string_view no_trace;    // why there is none, and the remedy
@@ -86,8 +86,9 @@ struct Method {
             return stages32;
         }
     }
-    // Whether each generated point is tested as it is drawn.
+    // Whether the masks are made with the observer's view.
     bool tests_when_drawn() const { return stages16.draw != nullptr; }
+    bool has_map() const { return depth_layers > 0; }
 };
 
 std::span<const Method> methods();

@@ -31,16 +31,24 @@ void plan_unit(const FrameInputs& now, FramePlan& plan) {
 
 void plan_pixels(const FrameInputs& now, FramePlan& plan) {
     const Settings& s = now.settings;
+    const Method& method = method_of(now);
     for (const Omission o : {Omission::background_pixels, Omission::empty_lines})
-        plan.at(o) = method_of(now).tests_when_drawn() ? needed(tested_when_drawn)
-                                                       : left_out(nothing_there);
+        plan.at(o) = !method.has_map()             ? left_out(shadow_drawn)
+                     : method.tests_when_drawn() ? needed(tested_when_drawn)
+                                                 : left_out(nothing_there);
+    if (!method.has_map()) {
+        plan.at(Omission::noise) = left_out(shadow_drawn);
+        return;
+    }
     plan.at(Omission::noise) = s.dither.shape == hw::DitherShape::none ? left_out(dither_off)
                                : hw::silent(s.dither, s.machine) ? left_out(dither_rounds_to_zero)
                                                                  : needed(asked_for);
 }
 
 void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
-    plan.at(Omission::light_shading, l) = left_out(depth_alone);
+    const Method& method = method_of(now);
+    const bool has_map = method.has_map();
+    plan.at(Omission::light_shading, l) = left_out(has_map ? depth_alone : shadow_drawn);
     if (now.scene.streamed) {
         for (const Omission o :
              {Omission::light_map, Omission::light_drawing, Omission::post_process})
@@ -51,19 +59,21 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     plan.outside.light[l] = reach.outside_light;
     plan.outside.observer = reach.outside_observer;
     const std::uint64_t all = now.scene.surfaces().count();
-    const bool no_map = reach.outside_light == all;
-    plan.at(Omission::light_map, l) = no_map ? left_out(no_caster) : needed(may_shadow);
+    const bool no_map = reach.outside_light == all - (has_map ? 0 : 1);  // the ground casts nothing
+    const Reason nothing_cast = has_map ? no_caster : no_shadow_in_view;
+    plan.at(Omission::light_map, l) = no_map ? left_out(nothing_cast) : needed(may_shadow);
     // Equal words draw equal Z, whatever the views that they come from.
     const bool same = now.matrices.lights[l].world_to_light == now.matrices.world_to_observer;
     const bool nearest =
         map_layers(now.settings) == 1 && casters_of(now, l).all_alike();
-    plan.at(Omission::light_drawing, l) = !same      ? needed(other_view)
+    plan.at(Omission::light_drawing, l) = !has_map   ? needed(masked_when_drawn)
+                                          : !same    ? needed(other_view)
                                           : !nearest ? needed(other_map)
-                                          : method_of(now).tests_when_drawn()
+                                          : method.tests_when_drawn()
                                               ? needed(tested_when_drawn)
                                               : left_out(same_view);
     plan.at(Omission::post_process, l) = reach.outside_observer == all ? left_out(nothing_visible)
-                                         : no_map                      ? left_out(no_caster)
+                                         : no_map ? left_out(nothing_cast)
                                          : !reach.into_light           ? left_out(outside_light)
                                                                        : needed(may_shadow);
 }
@@ -84,12 +94,12 @@ void plan_filters(const FrameInputs& now, const Source& source, FramePlan& plan)
     if (method.darkness == Darkness::graded || source.is_graded())
         plan.at(Omission::dequantize, l) = left_out(graded);
     plan.at(Omission::low_pass, l) = filter(s.low_pass_passes);
-    plan.at(Omission::lit_lines, l) = method.tests_when_drawn() ? needed(tested_when_drawn)
-                                                                : left_out(no_shadow_near);
-    plan.at(Omission::composite, l) = method.tests_when_drawn() ? left_out(shadow_in_shading)
-                                      : s.density_q8 == 0       ? left_out(invisible_shadow)
-                                      : lit                     ? left_out(nothing_shadowed)
-                                                                : needed(asked_for);
+    plan.at(Omission::lit_lines, l) = method.in_shading ? needed(tested_when_drawn)
+                                                        : left_out(no_shadow_near);
+    plan.at(Omission::composite, l) = method.in_shading   ? left_out(shadow_in_shading)
+                                      : s.density_q8 == 0 ? left_out(invisible_shadow)
+                                      : lit               ? left_out(nothing_shadowed)
+                                                          : needed(asked_for);
 }
 
 void plan_reuse(const FrameInputs& now, const FrameInputs* before, FramePlan& plan) {
@@ -110,10 +120,11 @@ void plan_reuse(const FrameInputs& now, const FrameInputs* before, FramePlan& pl
         plan.at(Omission::same_mask, l) = decision(same.mask[l]);
         any_test = any_test || !plan.leaves_out(Omission::post_process, l);
     }
-    // A method that tests points as they are drawn goes through all of them again, whatever their
-    // Z.
+    // A method that makes its masks with the observer's view goes through all of it again, whatever
+    // its Z.
     if (method_of(now).tests_when_drawn() && any_test && !same.observer)
-        plan.at(Omission::same_depth) = needed(tested_when_drawn);
+        plan.at(Omission::same_depth) =
+            needed(method_of(now).in_shading ? tested_when_drawn : masked_when_drawn);
 }
 
 }  // namespace

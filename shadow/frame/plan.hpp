@@ -69,6 +69,8 @@ enum class Reason : std::uint8_t {
     affine,               // the matrices' row W is (0, 0, 0, 1)
     partly_affine,        // that of one of the views
     depth_alone,          // the light's view keeps Z alone
+    shadow_drawn,         // on a ground the shadow is drawn, and no point is tested
+    no_shadow_in_view,    // every surface's shadow on the ground lies outside the picture
     nothing_there,        // a background pixel is lit whatever the test says
     dither_off,
     dither_rounds_to_zero,
@@ -88,6 +90,7 @@ enum class Reason : std::uint8_t {
     perspective,          // W is not constant
     may_shadow,
     tested_when_drawn,    // correct form: there are no pixels to test, only generated points
+    masked_when_drawn,    // on a ground: the masks are drawn with the observer's view
     asked_for,            // a setting asks for it
     changed,              // something that it is made from has changed
     no_frame_before,

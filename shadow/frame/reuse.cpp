@@ -31,7 +31,8 @@ bool same_facets(const FrameInputs& a, const FrameInputs& b) {
 bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
     const hw::MachineSpec &m = a.settings.machine, &n = b.settings.machine;
     const hw::WordFormat &f = a.matrices.object, &g = b.matrices.object;
-    return m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
+    return a.scene.ground == b.scene.ground && std::ranges::equal(a.scene.blobs, b.scene.blobs) &&
+           m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
            m.coefficient_bits == n.coefficient_bits &&
            m.transform_rounding == n.transform_rounding && m.depth_rounding == n.depth_rounding &&
            a.settings.sampling == b.settings.sampling && same_facets(a, b) && f.bits == g.bits &&
@@ -44,6 +45,8 @@ bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
 
 // What the light's map keeps of its drawing.
 bool same_map(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
+    if (method_of(a).has_map() != method_of(b).has_map()) return false;
+    if (!method_of(b).has_map()) return true;  // a shadow keeps no depth
     const raster::Casters c = casters_of(a, l), d = casters_of(b, l);
     return a.settings.map_depth == b.settings.map_depth && c.slope_q8 == d.slope_q8 &&
            (c.slope_q8 == 0 || c.limit == d.limit);
@@ -95,6 +98,7 @@ bool same_window(const Settings& a, const Settings& b) {
 
 // How a point is tested against light l, given both Z planes; the bias is in the matrix.
 bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
+    if (!method_of(b).has_map()) return true;  // nothing is tested
     const Settings &s = a.settings, &t = b.settings;
     const LightMatrices &m = a.matrices.lights[l], &n = b.matrices.lights[l];
     const bool bilinear = s.lookup == Lookup::bilinear;
@@ -123,6 +127,7 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     const bool drawing = same_drawing(before, now);
     const bool method = &method_of(before) == &method_of(now);
     const bool when_drawn = method_of(now).tests_when_drawn();
+    const bool in_shading = method_of(now).in_shading;
     r.depth = drawing && before.matrices.world_to_observer == now.matrices.world_to_observer;
     r.observer = r.depth && same_shading(before, now) &&
                  when_drawn == method_of(before).tests_when_drawn();
@@ -146,12 +151,13 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     if (when_drawn && !(r.observer && masks)) {
         r.observer = masks = false;
         r.mask = {};
+        if (!method_of(now).has_map()) r.light_map = {};  // the shadow has been drawn over
     }
     bool ramps = true;
     for (std::size_t s = 0; s < now.scene.sources_used(); ++s)
         ramps = ramps && before.scene.source(s).ramp_px == now.scene.source(s).ramp_px;
     r.picture = r.observer && masks && ramps &&
-                same_filters(before.settings, now.settings, when_drawn);
+                same_filters(before.settings, now.settings, in_shading);
     return r;
 }
 

@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "trian
                                                        "normal"};
 constexpr std::array<std::string_view, 4> shading_names{"phong", "blinn", "lambert", "none"};
 constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
-constexpr std::array<std::string_view, 2> form_names{"post_process", "correct"};
+constexpr std::array<std::string_view, 4> form_names{"post_process", "correct", "ground", "blob"};
 constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
 constexpr std::array<std::string_view, 2> sector_test_names{"classified", "every"};
 constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};
@@ -150,7 +150,8 @@ constexpr std::array table{
         "how much of that a full shadow takes away: 0 invisible, 1 all of it"),
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
-        "test visible pixels after the picture is drawn, or each point before it is shaded"),
+        "test visible pixels once the picture is drawn, or points as they are shaded; or draw the "
+        "scene flat on its ground, or an ellipse beneath each object"),
     choice<UMBRA78_ACCESS(arithmetic)>(
         "arithmetic", arithmetic_names,
         "of the post-process: the transform unit's, or an FPS AP-120B's (Z to 16 bits)"),

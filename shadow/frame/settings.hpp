@@ -20,7 +20,11 @@
 
 namespace umbra78::shadow {
 
-enum class Form : std::uint8_t { post_process, correct };
+// How a pixel comes to be in shadow: two forms of the test against a depth map; or a shadow that is
+// drawn on a scene's ground and has no map (hw/MACHINE.md, section 26): the scene's, flat, or an
+// ellipse beneath each object.
+enum class Form : std::uint8_t { post_process, correct, ground, blob };
+constexpr bool is_on_ground(Form form) { return form == Form::ground || form == Form::blob; }
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
 enum class Arithmetic : std::uint8_t { fixed, ap120b };
 
@@ -74,7 +78,9 @@ const Setting* find_setting(std::string_view key);
 // method that can do what they ask (shadow/frame/methods.hpp).
 bool can_be_built(const Settings& settings);
 
-// Z codes a texel that are kept while the light's map is drawn.
-constexpr int map_layers(const Settings& s) { return s.map_depth == MapDepth::midpoint ? 2 : 1; }
+// Z codes a texel that are kept while the light's map is drawn; 0: the form has no map.
+constexpr int map_layers(const Settings& s) {
+    return is_on_ground(s.form) ? 0 : s.map_depth == MapDepth::midpoint ? 2 : 1;
+}
 
 }  // namespace umbra78::shadow

@@ -83,6 +83,7 @@ StreamStatus draw_stream(const FrameInputs& in, const FramePlan& plan,
     fixed::require(in.scene.streamed && in.scene.surfaces().empty(),
                    "draw_stream: the scene has surfaces of its own");
     require_fits(in, frame);
+    fixed::require(method_of(in).has_map(), "draw_stream: a stream names no ground");
     counts = {};
     clear(in, frame);
     const bool map_first = method_of(in).tests_when_drawn();

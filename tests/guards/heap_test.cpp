@@ -71,7 +71,7 @@ TEST(Heap, AFrameAllocatesNothing) {
     FrameMatrices matrices;
     FrameBuffers<hw::Depth16> frame;
     for (int figure = 1; figure <= figure_count; ++figure) {
-        for (const Form form : {Form::post_process, Form::correct}) {
+        for (const Form form : {Form::post_process, Form::correct, Form::ground, Form::blob}) {
             for (const auto projection :
                  {raster::Projection::orthographic, raster::Projection::perspective}) {
                 FrameCounts counts;
@@ -85,6 +85,9 @@ TEST(Heap, AFrameAllocatesNothing) {
                     scene.observer.distance = 6 << 16;
                     raster::fit_depth(scene.observer,
                                       raster::depth_range(scene.observer, patches));
+                    scene.ground = 17;  // by its corners as good a plane as any
+                    const std::array blobs{raster::Ellipse{{}, {1 << 16, 0, 0}, {0, 1 << 16, 0}}};
+                    scene.blobs = blobs;
                     Settings settings = figure_settings(figure);
                     settings.form = form;
                     frame = carve<hw::Depth16>({memory[0].bytes, 64 * memory.size()},

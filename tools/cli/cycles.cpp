@@ -71,9 +71,11 @@ void one_profile(const Options& options, const LoadedScene& scene) {
                    "of the first depth map alone.\n\n{}\n", options.scene, clock_ns,
                    ledgers.size(), simulated_ms(shadow::total(ledgers, true), clock_ns),
                    print(lights, clock_ns));
-    fmt::print("{}: {} ns a cycle\n\n{}\n{}\n", options.scene, clock_ns,
-               print_frame(ledger, clock_ns),
-               ledger.on_array ? print(ledger.array, clock_ns)
+    fmt::print("{}: {} ns a cycle\n\n{}\n", options.scene, clock_ns,
+               print_frame(ledger, clock_ns));
+    if (ledger.has_map)
+        fmt::print("{}\n", ledger.on_array
+                               ? print(ledger.array, clock_ns)
                                : print_post_process(ledger.post_process, clock_ns));
     if (is_clocked(scene))
         fmt::print("{}\n{}\n", waterfall(job), print_memory(job.replay_memory()));

@@ -4,6 +4,7 @@
 #include "tools/render/cycle_report.hpp"
 #include "tools/render/error_map.hpp"
 #include "tools/render/frame_warnings.hpp"
+#include "tools/render/ground_pixels.hpp"
 #include "tools/render/light_costs.hpp"
 #include "tools/render/report.hpp"
 #include "tools/render/stream_watch.hpp"
@@ -42,6 +43,7 @@ struct Rendered {
     LoadedScene scene;
     RenderJob job;
     std::vector<std::optional<ShadowReport>> errors;  // by light; empty: none was asked for
+    std::vector<ShadowReport> on_ground;  // by light, of its pixels alone; empty without a ground
     std::vector<std::uint8_t> map;  // the error map, if it is asked for
     Warnings warnings;
     std::uint64_t patches, triangles;
@@ -91,6 +93,11 @@ private:
         const Buffer depths = job.buffer(Plane::observer_z);
         errors.back() = report(*truth, {job.bytes({Plane::filtered, light}), visible},
                                widened(light_texel_band(*truth), *truth, scene.settings), &depths);
+        if (scene.ground) {
+            const std::vector<std::uint8_t> ground = ground_pixels(scene, job);
+            on_ground.push_back(report(*truth, {job.bytes({Plane::filtered, light}), ground},
+                                       widened(light_texel_band(*truth), *truth, scene.settings)));
+        }
         if (wants_map) map = error_map(*truth, job);
     }
 };
@@ -130,6 +137,9 @@ void write_files(const Options& options, const Rendered& rendered) {
     files.commit();
 }
 
+// Where there is none, nothing is compared and there is no bias.
+bool has_map(const RenderJob& job) { return shadow::map_layers(job.settings()) > 0; }
+
 // Of a scene with several depth maps; "machine" is then of the first light alone.
 ordered_json lights_json(const Rendered& rendered, std::span<const shadow::FrameLedger> ledgers) {
     const int clock_ns = rendered.scene.settings.timing.clock_ns;
@@ -137,8 +147,11 @@ ordered_json lights_json(const Rendered& rendered, std::span<const shadow::Frame
     for (const LightCost& cost : light_costs(rendered.scene, ledgers)) {
         ordered_json& row = rows.emplace_back();
         row = tools::to_json(cost);
-        row["bias"] = to_json(bias_report(rendered.job, cost.light));
+        if (has_map(rendered.job))
+            row["bias"] = to_json(bias_report(rendered.job, cost.light));
         if (!rendered.errors.empty()) row["error"] = to_json(rendered.errors[cost.light]);
+        if (!rendered.on_ground.empty())
+            row["error_on_ground"] = to_json(std::optional(rendered.on_ground[cost.light]));
     }
     return {{"frame_cycles", shadow::total(ledgers, true)},
             {"frame_ms", simulated_ms(shadow::total(ledgers, true), clock_ns)},
@@ -161,7 +174,9 @@ ordered_json to_json(const Options& options, const Rendered& rendered) {
         json["hashes"][buffer.name] = hash_of(buffer);
     }
     json["error"] = to_json(rendered.error());
-    json["bias"] = to_json(bias_report(job));
+    if (!rendered.on_ground.empty())
+        json["error_on_ground"] = to_json(std::optional(rendered.on_ground.front()));
+    if (has_map(job)) json["bias"] = to_json(bias_report(job));
     const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
     const int clock_ns = rendered.scene.settings.timing.clock_ns;
     json["machine"] = tools::to_json(ledgers.front(), clock_ns);
@@ -202,7 +217,7 @@ void print_rows(const Options& options, const Rendered& rendered) {
                rendered.patches + rendered.triangles, kinds_of_surfaces(rendered.scene));
     print_planes(job);
     const std::size_t lights = rendered.scene.lights.size();
-    for (std::size_t l = 0; l < lights; ++l)
+    for (std::size_t l = 0; has_map(job) && l < lights; ++l)
         fmt::print("{:<11} {}\n", lights == 1 ? "bias" : "bias " + name_of_light(l, lights),
                    print(bias_report(job, l)));
     const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
@@ -231,6 +246,8 @@ void print_rows(const Options& options, const Rendered& rendered) {
             fmt::print("error       n/a ({})\n", options.no_truth
                                                      ? "--no-truth"
                                                      : no_truth_because(rendered.scene));
+        if (!rendered.on_ground.empty())
+            fmt::print("{}", print_on_ground(rendered.on_ground[l]));
     }
     if (!options.error_map.empty())
         fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);

@@ -3,6 +3,7 @@
 #include "tools/io/text_formats.hpp"
 #include "tools/render/cycle_report.hpp"
 #include "tools/render/frame_warnings.hpp"
+#include "tools/render/ground_pixels.hpp"
 #include "tools/scene/checks.hpp"
 #include "tools/scene/scene_file.hpp"
 
@@ -46,6 +47,11 @@ constexpr ScenePicture table[] = {
      .set = "tap_places=jittered"},
     {.name = "depth_mean5", .shows = "the wrong way: 5 x 5 depths' mean", .scene = "pcf.toml",
      .set = "lookup=filtered_depth"},
+    {.name = "ground_map", .shows = "a floor, by a depth map", .scene = "ground.toml"},
+    {.name = "ground", .shows = "the same, drawn flat on it", .scene = "ground.toml",
+     .set = "form=ground"},
+    {.name = "blob", .shows = "the same, an ellipse an object", .scene = "ground.toml",
+     .set = "form=blob"},
     {.name = "three_lights", .shows = "three coloured lights", .scene = "three_lights.toml"},
     {.name = "sectors", .shows = "a lamp among spheres, six maps", .scene = "sectors.toml"},
     {.name = "penumbra", .shows = "a table under a lamp with area", .scene = "penumbra.toml"},
@@ -57,9 +63,17 @@ void measure(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
     const StageTimes& t = job.times();
     made.clock_ns = scene.settings.timing.clock_ns;
     made.lights = scene.lights.size();
-    made.maps = ledgers.size();
+    const bool has_map = ledgers.front().has_map;
+    made.maps = has_map ? ledgers.size() : 0;
     made.cost = {shadow::total(ledgers, true), of_figure(ledgers.front(), 1).total(true),
                  t.total_ms(), t.matrices_ms + t.observer_ms};
+    if (has_map) return;
+    // Here the shadow is drawn with the observer's view.
+    shadow::Settings plain = scene.settings;
+    plain.form = shadow::Form::post_process;
+    RenderJob without(scene.view(), plain);
+    without.draw_observer();
+    made.cost.host_ms_without = without.times().matrices_ms + without.times().observer_ms;
 }
 
 void compare(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
@@ -68,8 +82,11 @@ void compare(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
     if (!truth) return;
     const std::vector<std::uint8_t> visible = job.visible();
     const Buffer depths = job.buffer(Plane::observer_z);
-    made.error = report(*truth, {job.bytes(Plane::filtered), visible},
-                        widened(light_texel_band(*truth), *truth, scene.settings), &depths);
+    const Band band = widened(light_texel_band(*truth), *truth, scene.settings);
+    made.error = report(*truth, {job.bytes(Plane::filtered), visible}, band, &depths);
+    if (!scene.ground) return;
+    const std::vector<std::uint8_t> ground = ground_pixels(scene, job);
+    made.on_ground = report(*truth, {job.bytes(Plane::filtered), ground}, band);
 }
 
 DrawnScene draw(const ScenePicture& of, const std::string& folder) {
@@ -180,6 +197,7 @@ nlohmann::ordered_json to_json(const DrawnScene& d) {
     json["host_ms"] = d.cost.host_ms;
     json["host_ms_without_shadow"] = d.cost.host_ms_without;
     json["error"] = to_json(d.error);
+    if (d.on_ground) json["error_on_ground"] = to_json(d.on_ground);
     json["warnings"] = d.warnings;
     return json;
 }

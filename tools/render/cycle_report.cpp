@@ -18,7 +18,7 @@ using shadow::StageLedger;
 
 // The phases that are costed in operations, in the order of the frame.
 std::vector<std::pair<const char*, const PhaseLedger*>> phases(const FrameLedger& l) {
-    return {{"light's view", &l.light},
+    return {{l.has_map ? "light's view" : "shadow, flat", &l.light},
             {"observer's view", &l.observer},
             {"dequantize", &l.dequantize},
             {"low-pass", &l.low_pass},
@@ -73,7 +73,9 @@ std::string print_frame(const FrameLedger& l, int clock_ns) {
     for (const auto& [name, phase] : phases(l)) {
         if (phase == &l.dequantize) {
             text += fmt::format("{:<16}{:>48}{:>14}{:>18}{:>11.2f}  {}\n", "transformation",
-                                l.on_array ? "AP-120B, see below" : "clocked, see below",
+                                l.on_array  ? "AP-120B, see below"
+                                : l.has_map ? "clocked, see below"
+                                            : "with the observer's view",
                                 l.transformation(true), l.transformation(false),
                                 simulated_ms(l.transformation(true), clock_ns), l.bottleneck());
             if (l.test.units.side_by_side() > 0) row("  its operations", l.test);
@@ -114,8 +116,11 @@ ordered_json to_json(const FrameLedger& l, int clock_ns) {
                                   {"store", phase->units.store},
                                   {"side_by_side", phase->units.side_by_side()},
                                   {"one_after_the_other", phase->units.one_after_the_other()}});
-    json["transformation"] =
-        l.on_array ? to_json(l.array, clock_ns) : to_json(l.post_process);
+    if (l.has_map)
+        json["transformation"] =
+            l.on_array ? to_json(l.array, clock_ns) : to_json(l.post_process);
+    else
+        json["masks"] = {{"store", l.test.units.store}};
     json["frame_cycles"] = {{"side_by_side", l.total(true)},
                             {"one_after_the_other", l.total(false)}};
     json["frame_ms"] = simulated_ms(l.total(true), clock_ns);

@@ -23,6 +23,15 @@ void warn_of_blocks(std::uint64_t dropped, const std::string& view, const std::s
                      view, view)});
 }
 
+// Of a shadow that is drawn on the ground.
+void warn_of_flat_blocks(std::uint64_t dropped, const std::string& light, Warnings& warnings) {
+    if (dropped == 0) return;
+    warnings.push_back({"dropped_blocks", static_cast<double>(dropped),
+                        fmt::format("{} blocks of the {}'s shadow were dropped: they reach as high "
+                                    "as the light, or their shadow reaches the observer's eye; "
+                                    "move the light or the observer", dropped, light)});
+}
+
 void warn_of_coverage(const Coverage& c, bool is_warned, Warnings& warnings) {
     const auto add = [&](const char* key, int pixels, const std::string& what) {
         if (pixels == 0) return;
@@ -52,7 +61,11 @@ Warnings frame_warnings(const LoadedScene& scene, const RenderJob& job,
         std::uint64_t dropped = 0;
         for (std::size_t k = 0; k < scene.lights[l].views().size(); ++k)
             dropped += job.counts().lights[next++].map.unresolved;
-        warn_of_blocks(dropped, name_of_light(l, scene.lights.size()), "cast no shadow", warnings);
+        const std::string name = name_of_light(l, scene.lights.size());
+        if (shadow::map_layers(scene.settings) > 0)
+            warn_of_blocks(dropped, name, "cast no shadow", warnings);
+        else
+            warn_of_flat_blocks(dropped, name, warnings);
     }
     const std::vector<std::uint8_t> visible = job.visible();
     const bool nothing = std::count(visible.begin(), visible.end(), 1) == 0;

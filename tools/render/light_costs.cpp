@@ -13,7 +13,8 @@ std::vector<LightCost> light_costs(const LoadedScene& scene,
                                    std::span<const FrameLedger> ledgers) {
     const hw::MachineSpec& machine = scene.settings.machine;
     const std::uint64_t pixels = std::uint64_t{1} << (2 * machine.xy_bits);
-    const std::uint64_t z_bytes = machine.z_bits > 16 ? 4 : 2;
+    const bool has_map = shadow::map_layers(scene.settings) > 0;
+    const std::uint64_t z_bytes = !has_map ? 0 : machine.z_bits > 16 ? 4 : 2;
     const std::uint64_t channels = scene.is_coloured() ? 3 : 1;
     std::vector<LightCost> costs;
     std::size_t next = 0;  // of the depth maps

@@ -50,15 +50,32 @@ constexpr std::array<Names, shadow::stage_count> stages{{
 }  // namespace
 
 std::string_view key_of(Omission o) { return omissions[static_cast<std::size_t>(o)].key; }
-std::string_view name_of(Omission o) { return omissions[static_cast<std::size_t>(o)].name; }
+std::string_view name_of(Omission o, bool has_map) {
+    if (has_map) return omissions[static_cast<std::size_t>(o)].name;
+    switch (o) {
+        case Omission::light_shading: return "shading of the shadow";
+        case Omission::light_map: return "the shadow";
+        case Omission::post_process: return "the masks";
+        case Omission::light_drawing: return "drawing the shadow";
+        case Omission::same_light_map: return "the shadow, kept";
+        default: return name_of(o, true);
+    }
+}
 std::string_view key_of(FrameStage s) { return stages[static_cast<std::size_t>(s)].key; }
-std::string_view name_of(FrameStage s) { return stages[static_cast<std::size_t>(s)].name; }
+std::string_view name_of(FrameStage s, bool has_map) {
+    if (!has_map && s == FrameStage::light) return "shadow, flat";
+    if (!has_map && s == FrameStage::post_process) return "masks";
+    return stages[static_cast<std::size_t>(s)].name;
+}
 
 std::string_view explain(Reason reason) {
     switch (reason) {
         case Reason::affine: return "no view is in perspective: W is 1";
         case Reason::partly_affine: return "W is 1 in the view that is not in perspective";
         case Reason::depth_alone: return "the light map holds only Z";
+        case Reason::shadow_drawn: return "on a ground the shadow is drawn, and no pixel is tested";
+        case Reason::no_shadow_in_view:
+            return "every surface's shadow on the ground lies outside the picture";
         case Reason::nothing_there: return "nothing was drawn there, so nothing is in shadow";
         case Reason::dither_off: return "dither is none";
         case Reason::dither_rounds_to_zero: return "dither is so small that every word is 0";
@@ -77,6 +94,7 @@ std::string_view explain(Reason reason) {
         case Reason::perspective: return "both views are in perspective: W varies";
         case Reason::may_shadow: return "a shadow may fall on something visible";
         case Reason::tested_when_drawn: return "the correct form tests points as they are drawn";
+        case Reason::masked_when_drawn: return "on a ground the masks are drawn with the picture";
         case Reason::asked_for: return "a setting asks for it";
         case Reason::changed: return "something that it is made from has changed";
         case Reason::no_frame_before: return "there is no frame before it";

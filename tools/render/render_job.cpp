@@ -61,8 +61,10 @@ void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings&
     if (shadow::FrameShape(scene) != shadow::FrameShape(inputs_.scene))
         throw SceneError("this frame was made for other lights, or in grey: make another");
     if (shadow::map_layers(settings) > layers_)
-        throw SceneError("this frame was made for one depth a texel of the light's map: for "
-                         "map_depth=midpoint make another");
+        throw SceneError(layers_ == 0 ? "this frame was made for form=ground, without a light's "
+                                        "map: for another form make another"
+                                      : "this frame was made for one depth a texel of the light's "
+                                        "map: for map_depth=midpoint make another");
     if (scene.patches.size() > patches_)
         throw SceneError(fmt::format("this frame was made for {} patches: for {} make another",
                                      patches_, scene.patches.size()));
@@ -177,7 +179,7 @@ std::vector<PlaneOf> RenderJob::planes() const {
     const auto add = [&](Plane plane, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) all.emplace_back(plane, k);
     };
-    add(Plane::light_z, scene.light_count);
+    if (shadow::map_layers(settings()) > 0) add(Plane::light_z, scene.light_count);
     for (std::size_t c = 0; c < scene.channels; ++c) {
         all.emplace_back(Plane::intensity, 0, c);
         for (std::size_t s = 0; s < sources; ++s) all.emplace_back(Plane::direct, s, c);

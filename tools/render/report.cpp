@@ -123,6 +123,11 @@ std::string print(const ShadowReport& report) {
     return text;
 }
 
+std::string print_on_ground(const ShadowReport& report) {
+    return "ground      " +
+           (report.graded.graded() ? print(report.graded) : print_rates(report));
+}
+
 ordered_json to_json(const BiasReport& bias) {
     return {{"quanta", bias.quanta}, {"texels", bias.texels}, {"world", bias.world}};
 }

@@ -23,6 +23,8 @@ std::string print(const BiasReport&);      // "64 quanta = 0.5 texels = 0.003906
 std::string percent(std::optional<double> rate);  // "23.87" or "n/a"
 // The lines error, compared, edge and truth. A rate of no pixels is n/a. Of a mask with grey levels
 // the error is in the light that is seen; its rates at the threshold are in the JSON alone.
+// Of the pixels that show a scene's ground.
+std::string print_on_ground(const ShadowReport& report);
 std::string print(const ShadowReport&);
 
 nlohmann::ordered_json to_json(const BiasReport&);

@@ -110,7 +110,9 @@ void warn_of_light(const LoadedScene& scene, const raster::View& light, const st
 
 // A sheet has no back face where its front faces the light.
 void warn_of_open_surfaces(const LoadedScene& scene, Warnings& warnings) {
-    if (scene.settings.map_depth != shadow::MapDepth::back) return;
+    if (scene.settings.map_depth != shadow::MapDepth::back ||
+        shadow::map_layers(scene.settings) == 0)
+        return;
     const std::uint64_t open = open_surfaces(scene.surfaces());
     if (open > 0)
         warnings.push_back(
@@ -156,6 +158,13 @@ std::string explain(shadow::FrameStatus status) {
         case sectors_refused:
             return "only the post-process on the fixed-point machine sorts into sectors; set "
                    "form = \"post_process\" and arithmetic = \"fixed\", or kind = \"point\"";
+        case no_ground:
+            return "form = \"ground\" and \"blob\" cast shadows on one plane, and the scene names "
+                   "none; write ground = \"on\" into a [[plane]], or set form = "
+                   "\"post_process\"";
+        case light_in_ground:
+            return "a light lies in the plane of the ground, where its shadows have no end; move "
+                   "it, or set form = \"post_process\"";
         case bias_out_of_range: return "the bias is beyond 2^47 quanta; lower it";
     }
     return "the frame cannot be drawn";
@@ -174,7 +183,8 @@ Warnings warnings_of(const LoadedScene& scene) {
         warnings.push_back(
             {"empty", 0, "nothing is drawn: the scene has no [[sphere]] or other surface"});
     } else {
-        for (std::size_t l = 0; l < scene.lights.size(); ++l)
+        const bool has_map = shadow::map_layers(scene.settings) > 0;
+        for (std::size_t l = 0; has_map && l < scene.lights.size(); ++l)
             if (const std::string name = name_of_light(l, scene.lights.size());
                 scene.lights[l].sectored)
                 warn_of_sectors(scene, scene.lights[l], name, warnings);

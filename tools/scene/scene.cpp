@@ -51,6 +51,19 @@ ScenePoints read_stream(const TomlNode& node, const StreamSource& streams, Loade
     return points;
 }
 
+// What only a form on a ground asks for: surfaces that are held, and blobs within the world.
+void check_ground(LoadedScene& scene, FirstError& error) {
+    const shadow::Form form = scene.settings.form;
+    const bool fit = make_blobs(scene);
+    if (scene.stream && shadow::is_on_ground(form))
+        error.report(scene.name + ": form = \"ground\" and \"blob\" draw the ground before what "
+                                  "stands on it, and a [stream] is not held; set form = "
+                                  "\"post_process\"");
+    else if (!fit && form == shadow::Form::blob)
+        error.report(scene.name + ": a blob on the ground reaches out of the world, -32766 .. "
+                                  "32766; scale the scene");
+}
+
 // Each step computes with what the steps before it have read, so it is taken only if they found
 // no error.
 void read(std::string_view text, std::span<const std::string> overrides, const FileSource& files,
@@ -81,6 +94,8 @@ void read(std::string_view text, std::span<const std::string> overrides, const F
     for (const SceneLight& light : scene.lights) perspective = perspective || has_eye(light.view);
     scene.settings = read_settings(root.find("settings"), set, perspective, error);
     if (error.any()) return;
+    check_ground(scene, error);
+    if (error.any()) return;
     check_matrices(scene, error);
     if (error.any()) return;
     const Warnings found = warnings_of(scene);
@@ -97,6 +112,10 @@ bool LoadedScene::is_coloured() const {
            !std::ranges::all_of(lights, [](const SceneLight& l) { return l.level_q8.is_grey(); });
 }
 
+std::size_t LoadedScene::ground_patch() const {
+    return raster::patches_per_sphere * spheres.size() + ground.value();
+}
+
 shadow::Scene LoadedScene::view() const {
     shadow::Scene made{.patches = {}, .materials = materials, .observer = observer, .lights = {}};
     made.light_count = 0;
@@ -111,6 +130,8 @@ shadow::Scene LoadedScene::view() const {
     if (stream) return made;
     made.patches = patches;
     made.mesh = mesh();
+    if (ground) made.ground = ground_patch();
+    made.blobs = blobs;
     return made;
 }
 

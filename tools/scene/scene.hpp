@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,11 +36,19 @@ struct SceneLight {
     }
 };
 
+// One [[sphere]], [[plane]], [[model]], ...: its patches and facets end before these.
+struct SceneObject {
+    std::size_t patches_end = 0, facets_end = 0;
+};
+
 struct LoadedScene {
     std::string name;
     std::vector<raster::Material> materials;  // the last one is of surfaces that name none
     std::vector<raster::Sphere> spheres;
     std::vector<raster::Plane> planes;
+    std::optional<std::size_t> ground{};  // which of the planes form = ground casts shadows on
+    std::vector<SceneObject> objects;     // where each surface of the file ends, in its order
+    std::vector<raster::Ellipse> blobs;   // beneath the objects, if there is a ground
     std::vector<raster::Patch> patches;  // of all surfaces: the spheres', the planes', free ones
     std::vector<raster::World> vertices;  // of all meshes, and what joins them to triangles
     std::vector<std::array<std::int32_t, 3>> normals;
@@ -64,6 +73,8 @@ struct LoadedScene {
     const raster::View& light() const { return lights.front().view; }
     // Whether the picture needs three channels.
     bool is_coloured() const;
+    std::size_t ground_patch() const;  // its number, where there is a ground
+    void end_object() { objects.push_back({patches.size(), facets.size()}); }
     raster::Mesh mesh() const { return {vertices, normals, facets}; }
     raster::Surfaces surfaces() const { return {patches, mesh()}; }
     // What the core draws; of a scene with a stream, without any surfaces.

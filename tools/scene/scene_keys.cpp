@@ -147,6 +147,8 @@ constexpr SceneKey plane_keys[] = {
     {.key = "v", .kind = point, .unit = world_units, .range = place_range, .left_out = needed,
      .example = "[0, 0, -1]",
      .meaning = "along the other side, not parallel to u; all corners stay within -32767 .. 32767"},
+    {.key = "ground", .kind = choice, .choices = on_or_off, .fallback = 1,
+     .meaning = "with form = ground or blob shadows fall on this plane alone; one may be it"},
     material,
 };
 constexpr SceneKey patch_keys[] = {

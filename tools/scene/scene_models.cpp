@@ -85,6 +85,7 @@ void read_models(const TomlNode& root, const MaterialNames& names, const FileSou
         const PlacedModel placed = place_model(model, how, remedy, error);
         if (error.any()) return;
         append(placed, material, scene);
+        scene.end_object();
         warn_of_model(model, scene.warnings);
     }
 }

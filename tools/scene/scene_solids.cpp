@@ -122,10 +122,13 @@ void read_solids(const TomlNode& root, const MaterialNames& names, LoadedScene& 
         for (const TomlNode& node : tables_of(root, solid.name, error)) {
             const TableReader in(node, scene_table(solid.name), error);
             solid.read(in, SolidReader(in, solid.place, names, scene));
+            scene.end_object();
         }
     }
-    for (const TomlNode& node : tables_of(root, "triangle", error))
+    for (const TomlNode& node : tables_of(root, "triangle", error)) {
         read_triangle(TableReader(node, scene_table("triangle"), error), names, scene);
+        scene.end_object();
+    }
 }
 
 }  // namespace umbra78::tools

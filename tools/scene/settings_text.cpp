@@ -42,7 +42,6 @@ ordered_json json_value(const Setting& setting, std::int64_t word) {
 
 // Why no machine has these settings, as far as the table of settings does not say it.
 std::string why_not_built(const Settings& s, const Setting& setting) {
-    if (shadow::method_of(s) != nullptr) return std::string(setting.meaning);
     const auto name = [&](std::string_view key, std::int64_t word) {
         return shadow::find_setting(key)->names[static_cast<std::size_t>(word)];
     };
@@ -50,6 +49,12 @@ std::string why_not_built(const Settings& s, const Setting& setting) {
         const Setting& of = *shadow::find_setting(key);
         return fmt::format("{} = {}", key, name(key, of.get(s)));
     };
+    if (const shadow::Method* method = shadow::method_of(s)) {
+        const bool plane = s.receiver == shadow::Receiver::plane && !method->takes_plane;
+        return plane ? fmt::format("{} with {} has receiver = point alone", called("form"),
+                                   called("arithmetic"))
+                     : std::string(setting.meaning);
+    }
     std::vector<std::string_view> lookups;
     for (const shadow::Method& m : shadow::methods())
         if (m.form == s.form && m.arithmetic == s.arithmetic)

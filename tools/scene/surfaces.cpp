@@ -55,6 +55,15 @@ raster::Plane read_plane(const TomlNode& node, const MaterialNames& names, First
     return plane;
 }
 
+// Whether the plane is the ground; `is_second` if another one is.
+bool reads_ground(const TomlNode& node, bool is_second, FirstError& error) {
+    const TableReader in(node, scene_table("plane"), error);
+    if (in.choice("ground") != 0) return false;
+    if (is_second)
+        in.report(in.need("ground"), "a second [[plane]] is the ground; leave 'ground' out of one");
+    return true;
+}
+
 // The numbers of arrays in each other, `sizes` of them at each level, into the words from `next`
 // on. False if the tokens are something else, or a number is out of the range.
 bool read_words(ArrayTokens& tokens, std::span<const int> sizes, const NumberRange& range,
@@ -145,14 +154,42 @@ void take_origin(const raster::World& origin, LoadedScene& scene) {
     scene.origin = origin;
 }
 
+bool make_blobs(LoadedScene& scene) {
+    scene.blobs.clear();
+    if (!scene.ground) return true;
+    const std::size_t ground = scene.ground_patch();
+    bool all = true;
+    SceneObject from;
+    for (const SceneObject& to : scene.objects) {
+        raster::EllipseFit fit(scene.patches[ground]);
+        for (std::size_t k = from.patches_end; k < to.patches_end; ++k)
+            for (const raster::World& p : scene.patches[k].control) fit.add(p);
+        for (std::size_t k = from.facets_end; k < to.facets_end; ++k)
+            for (const std::uint32_t v : scene.facets[k].vertex) fit.add(scene.vertices[v]);
+        const bool is_ground = from.patches_end == ground && to.patches_end == ground + 1;
+        const bool is_empty =
+            from.patches_end == to.patches_end && from.facets_end == to.facets_end;
+        from = to;
+        if (is_ground || is_empty) continue;
+        raster::Ellipse blob;
+        const bool fits = fit.fit(blob);
+        if (fits) scene.blobs.push_back(blob);
+        all = all && fits;
+    }
+    return all;
+}
+
 void append_closed_forms(LoadedScene& scene) {
     for (const raster::Sphere& sphere : scene.spheres) {
         std::array<raster::Patch, raster::patches_per_sphere> made;
         raster::sphere_patches(sphere, made);
         scene.patches.insert(scene.patches.end(), made.begin(), made.end());
+        scene.end_object();
     }
-    for (const raster::Plane& plane : scene.planes)
+    for (const raster::Plane& plane : scene.planes) {
         scene.patches.push_back(raster::plane_patch(plane));
+        scene.end_object();
+    }
 }
 
 void read_surfaces(const TomlNode& root, const FileSource& files, LoadedScene& scene,
@@ -160,13 +197,17 @@ void read_surfaces(const TomlNode& root, const FileSource& files, LoadedScene& s
     const MaterialNames names = read_materials(root, scene.materials, error);
     for (const TomlNode& node : tables_of(root, "sphere", error))
         scene.spheres.push_back(read_sphere(node, names, error));
-    for (const TomlNode& node : tables_of(root, "plane", error))
+    for (const TomlNode& node : tables_of(root, "plane", error)) {
+        if (reads_ground(node, scene.ground.has_value(), error)) scene.ground = scene.planes.size();
         scene.planes.push_back(read_plane(node, names, error));
+    }
     if (error.any()) return;
     append_closed_forms(scene);
     const std::size_t closed = scene.patches.size();
-    for (const TomlNode& node : tables_of(root, "patch", error))
+    for (const TomlNode& node : tables_of(root, "patch", error)) {
         scene.patches.push_back(read_patch(node, names, error));
+        scene.end_object();
+    }
     read_solids(root, names, scene, error);
     if (error.any()) return;
     read_models(root, names, files, scene, error);

@@ -16,4 +16,8 @@ void take_origin(const raster::World& origin, LoadedScene&);
 // Appends the patches of the spheres and planes, which come before the free ones.
 void append_closed_forms(LoadedScene&);
 
+// Makes the blob of each object but the ground, where there is one. False if one of them reaches
+// out of the world; it is then left out.
+bool make_blobs(LoadedScene& scene);
+
 }  // namespace umbra78::tools

@@ -264,6 +264,7 @@ void warn_of_words(const LoadedScene& scene, Warnings& warnings) {
                  warnings);
     // Without an order in depth no matrix moves a point to the right depth.
     const bool ordered = !warn_of_order(scene, scene.observer, "observer", warnings);
+    if (shadow::map_layers(scene.settings) == 0) return;  // no view of a light is drawn
     std::size_t first = 0;  // of the source's depth maps
     for (std::size_t l = 0; l < scene.lights.size(); ++l) {
         const View& view = scene.lights[l].views().front();

@@ -5,6 +5,7 @@ import re
 from .ap120b import array_mask
 from .dicing import diced, tolerance
 from .filters import composite, dequantize, low_pass, ramp
+from .ground import ellipse, ellipse_patches, ground_masks
 from .noise import dither_words, noise_bits
 from .notation import half_up
 from .sectors import SectorLights, sector_mask, sector_views
@@ -125,18 +126,29 @@ class Frame:
     def __init__(self, scene_name, observer, lights, s):
         vertices, facets = mesh(scene_name)
         world = [*scene(scene_name), vertices]  # lists of places
-        self.s, ((*self.patches, vertices), self.fraction) = s, object_words(world)
+        self.s, self.blobs = s, []
+        if s.form == "blob":  # one beneath each sphere
+            self.blobs = [patch for k in range(0, 128, 32) for patch in ellipse_patches(
+                *ellipse(world[128], [p for patch in world[k:k + 32] for p in patch]))]
+        (*_, vertices), self.fraction = object_words(world, self.blobs)
         self.facets = [([vertices[k] for k in three], normals) for three, normals in facets]
         self.observer = view(observer, world)
         self.sources = [Source(name, world) for name in lights.split(" + ")]
         self.lights = [v for source in self.sources for v in source.views]
         self.coloured = any(len(source.levels) > 1 for source in self.sources)
-        if s.surface == "diced":
-            word, self.patches = tolerance(self.observer.extent_word, s), []
-            self.facets = [([object_place(p, self.fraction) for p in points], normals)
-                           for patch in world[:-1] for points, normals in diced(patch, word, s)
-                           ] + self.facets
+        self.world = world[:-1]
+        self.mesh_facets, self.vertices = self.facets, world[-1]
+        self.patches, self.facets = self.as_drawn(self.world, self.facets)
         self.made, self.counts = {}, {}
+
+    def as_drawn(self, patches, facets=()):
+        """Patches in world words as draw() takes them, and the facets."""
+        if self.s.surface != "diced":
+            return [[object_place(p, self.fraction) for p in patch] for patch in patches], facets
+        word = tolerance(self.observer.extent_word, self.s)
+        return [], [*(([object_place(p, self.fraction) for p in points], normals)
+                      for patch in patches for points, normals in diced(patch, word, self.s)),
+                    *facets]
 
     def __getattr__(self, buffer):
         if buffer not in self.made:
@@ -191,6 +203,9 @@ class Frame:
         if s.form == "correct":
             self.make_observer_z()
             return
+        if s.form in ("ground", "blob"):
+            self.make_ground_masks()
+            return
         given = (self.observer_z, self.of_light("light_z", light), self.matrix(light), s,
                  dither_words(s))
         if s.arithmetic == "ap120b":
@@ -207,6 +222,16 @@ class Frame:
         return sector_mask(self.observer_z, [self.of_light("light_z", k) for k in numbers],
                            SectorLights(self.observer, views, self.s), self.s,
                            dither_words(self.s), [self.limit(k) for k in numbers])
+
+    def make_ground_masks(self):
+        """The ground is the floor, the last patch."""
+        others, ground = self.world[:-1], self.world[-1]
+        places = [p for patch in (*others, self.vertices) for p in patch]
+        masks = ground_masks(self.as_drawn([ground]), self.as_drawn(others, self.mesh_facets),
+                             ground, places, self.fraction, self.observer, self.lights, self.s,
+                             plain_record, self.shading(), self.as_drawn(self.blobs))
+        for k, mask in enumerate(masks):
+            self.made["mask" + (str(k + 1) if k else "")] = mask
 
     def visible(self):
         return [code != self.s.background_code for code in self.observer_z]

@@ -82,7 +82,7 @@ def object_place(point, f):
     return tuple(half_up(word, 1 << (16 - f)) for word in point)
 
 
-def object_words(patches):
-    """All patches in one 16-bit format, and its fraction."""
-    f = object_fraction(patches)
+def object_words(patches, others=()):
+    """All patches in one 16-bit format, which holds the others, too; and its fraction."""
+    f = object_fraction([*patches, *others])
     return [[object_place(point, f) for point in patch] for patch in patches], f

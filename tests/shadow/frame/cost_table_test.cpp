@@ -3,6 +3,7 @@
 #include "shadow/frame/bias_cost.hpp"
 #include "shadow/frame/filter_cost.hpp"
 #include "shadow/frame/sector_cost.hpp"
+#include "shadow/frame/planar_cost.hpp"
 #include "tests/support/machine_text.hpp"
 
 #include <gtest/gtest.h>
@@ -78,6 +79,11 @@ TEST(CostTable, Filters) {
         EXPECT_EQ(cost::ramp_pixel(w).passes, 0u);
     }
     expect_row(row("composite, pixel, source and channel", cost::composite_pixel));
+}
+
+TEST(CostTable, Ground) {
+    expect_row(row("sample of the observer's view, a light's mask with its record",
+                   cost::mask_with_record));
 }
 
 TEST(CostTable, Facets) {

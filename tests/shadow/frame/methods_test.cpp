@@ -20,7 +20,9 @@ using test::PlannedFrame;
 using test::PlannedScene;
 
 PlannedScene scene_of(const Method& method) {
-    PlannedScene planned = test::planned_scene("figure 6");
+    PlannedScene planned = test::planned_scene(method.has_map()             ? "figure 6"
+                                               : method.form == Form::blob ? "blob"
+                                                                           : "ground");
     planned.settings.form = method.form;
     planned.settings.arithmetic = method.arithmetic;
     planned.settings.lookup = method.lookups.back();
@@ -59,7 +61,7 @@ TEST(Methods, TheSettingsChooseARow) {
         }
     }
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",
-                                                  "ap120b"}));
+                                                  "ap120b", "ground", "blob"}));
     Settings none;
     none.form = Form::correct;
     none.arithmetic = Arithmetic::ap120b;
@@ -86,7 +88,9 @@ TEST(Methods, TheSettingsChooseARow) {
 TEST(Methods, ARowIsConsistent) {
     for (const Method& m : methods()) {
         SCOPED_TRACE(m.name);
-        EXPECT_TRUE(m.depth_layers == 1 || m.depth_layers == 2);
+        EXPECT_TRUE(m.depth_layers >= 0 && m.depth_layers <= 2);
+        EXPECT_TRUE(m.has_map() || m.tests_when_drawn()) << "a mask without a map is drawn";
+        EXPECT_TRUE(!m.in_shading || m.tests_when_drawn());
         EXPECT_EQ(m.trace == Trace::none, !m.no_trace.empty());
         EXPECT_EQ(m.plan_cost == nullptr, !m.no_plan_cost.empty());
         EXPECT_NE(m.units, nullptr);
@@ -106,9 +110,11 @@ TEST(Methods, PlanAndStagesAskTheRow) {
         EXPECT_EQ(&method_of(f.inputs), &m);
         const FramePlan plan = make_plan(f.inputs);
         EXPECT_EQ(plan.at(Omission::composite).reason,
-                  m.tests_when_drawn() ? Reason::shadow_in_shading : Reason::asked_for);
+                  m.in_shading ? Reason::shadow_in_shading : Reason::asked_for);
         EXPECT_EQ(plan.at(Omission::background_pixels).reason,
-                  m.tests_when_drawn() ? Reason::tested_when_drawn : Reason::nothing_there);
+                  !m.has_map()          ? Reason::shadow_drawn
+                  : m.tests_when_drawn() ? Reason::tested_when_drawn
+                                         : Reason::nothing_there);
         f.draw(plan);
         std::uint64_t dark = 0, between = 0;
         for (const std::uint8_t darkness : f.frame.buffers.lights[0].mask) {
@@ -135,7 +141,8 @@ TEST(Methods, LedgerAndCostsAskTheRow) {
         f.draw(plan);
         const FrameLedger l = ledger_of(f);
         EXPECT_EQ(l.on_array, m.arithmetic == Arithmetic::ap120b);
-        EXPECT_EQ(l.post_process.count > 0, m.arithmetic == Arithmetic::fixed);
+        EXPECT_EQ(l.has_map, m.has_map());
+        EXPECT_EQ(l.post_process.count > 0, m.arithmetic == Arithmetic::fixed && m.has_map());
         EXPECT_GT(l.transformation(true), l.visible);
         EXPECT_FALSE(l.bottleneck().empty());
         const hw::Operations o{1000, 100, 400, 10, 220, 50};
@@ -145,8 +152,9 @@ TEST(Methods, LedgerAndCostsAskTheRow) {
         EXPECT_EQ(l.scene.units.one_after_the_other(), 0u) << "none of them prepares a scene";
         if (m.plan_cost == nullptr) continue;
         const DrawnFrame drawn{f.inputs, l};
-        const std::uint64_t tested =
-            m.tests_when_drawn() ? l.observer_counts.samples : l.visible;
+        const std::uint64_t tested = !m.has_map()           ? 0
+                                     : m.tests_when_drawn() ? l.observer_counts.samples
+                                                            : l.visible;
         EXPECT_EQ(cycles_of(plan, drawn)[2].transform, 3 * tested);
         EXPECT_EQ(saving(Omission::divide, plan, drawn).after_drawing, m.tests_when_drawn());
     }

@@ -137,6 +137,14 @@ TEST(FramePlan, SaysWhy) {
     EXPECT_EQ(reason(scene("outside a point light"), post_process), Reason::outside_light);
     EXPECT_EQ(reason(scene("no density"), composite), Reason::invisible_shadow);
     EXPECT_EQ(reason(scene("correct"), composite), Reason::shadow_in_shading);
+    for (const Omission o : {background_pixels, empty_lines, noise, light_shading})
+        EXPECT_EQ(reason(scene("ground"), o), Reason::shadow_drawn);
+    EXPECT_EQ(reason(scene("ground"), light_drawing), Reason::masked_when_drawn);
+    EXPECT_EQ(reason(scene("ground"), light_map), Reason::may_shadow);
+    for (const char* name : {"ground, shadow beside the picture", "ground, below it"}) {
+        EXPECT_EQ(reason(scene(name), light_map), Reason::no_shadow_in_view) << name;
+        EXPECT_EQ(reason(scene(name), composite), Reason::nothing_shadowed) << name;
+    }
     for (const Omission o : {background_pixels, empty_lines, lit_lines})
         EXPECT_EQ(reason(scene("correct"), o), Reason::tested_when_drawn);
     EXPECT_EQ(reason(scene("figure 6"), empty_lines), Reason::nothing_there);

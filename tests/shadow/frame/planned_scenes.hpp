@@ -21,9 +21,14 @@ struct PlannedScene {
     Settings settings{};
     std::vector<raster::World> vertices{};  // of a mesh of flat facets
     std::vector<raster::Facet> facets{};
+    std::size_t ground = Scene::no_ground;
+    std::vector<raster::Ellipse> blobs{};
 
     Scene scene() const {
-        return {patches, materials, observer, {{light}}, 1, {vertices, {}, facets}};
+        Scene made{patches, materials, observer, {{light}}, 1, {vertices, {}, facets}};
+        made.ground = ground;
+        made.blobs = blobs;
+        return made;
     }
 };
 
@@ -54,6 +59,49 @@ inline void add_mesh(PlannedScene& p) {
         p.vertices.insert(p.vertices.end(), {c[0], c[3], c[15], top});
         p.facets.push_back({{at, at + 1, at + 3}});
         p.facets.push_back({{at + 1, at + 2, at + 3}});
+    }
+}
+
+// Scenes whose shadows fall on a floor, from a light above.
+inline void add_grounds(std::vector<PlannedScene>& all) {
+    const auto add = [&](const char* name, int azimuth, int elevation) -> PlannedScene& {
+        PlannedScene& p = all.emplace_back(planned_figure(name, 6));
+        p.settings.form = Form::ground;
+        p.light.axes = raster::axes_from_angles(azimuth << 16, elevation << 16);
+        p.observer.axes = raster::axes_from_angles(30 << 16, 25 << 16);
+        p.ground = p.patches.size();
+        p.patches.push_back(raster::plane_patch(
+            {{-196608, -127795, 196608}, {393216, 0, 0}, {0, 0, -393216}, 0}));
+        return p;
+    };
+    add("ground", -100, 40);
+    {
+        PlannedScene& p = add("ground, lamp, facets", 60, 50);
+        put_eye(p, p.observer, 6);
+        put_eye(p, p.light, 4);
+        p.observer.extent /= 2;
+        p.settings.surface = raster::PatchForm::diced;
+        add_mesh(p);
+        std::swap(p.patches[0], p.patches[p.ground]);  // it may stand anywhere
+        p.ground = 0;
+    }
+    for (const char* name : {"blob", "blob, diced"}) {
+        PlannedScene& p = add(name, -100, 40);
+        p.settings.form = Form::blob;
+        p.blobs = {{{0, -127795, 0}, {65536, 0, 20000}, {0, 0, 50000}},
+                   {{60000, -127795, -30000}, {30000, 0, 0}, {0, 0, -90000}}};
+        if (p.name == "blob") continue;
+        p.settings.surface = raster::PatchForm::diced;
+        put_eye(p, p.observer, 6);
+    }
+    {
+        PlannedScene& p = add("ground, shadow beside the picture", 90, 5);
+        p.observer.extent /= 4;
+    }
+    {
+        PlannedScene& p = add("ground, below it", 0, 60);
+        p.patches[p.ground] =
+            raster::plane_patch({{-196608, 196608, 196608}, {393216, 0, 0}, {0, 0, -393216}, 0});
     }
 }
 
@@ -210,6 +258,7 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.settings.bias_q16 = 2 << 16;
         p.settings.bias_clamp_q16 = 400 << 16;
     }
+    add_grounds(all);
     return all;
 }
 
@@ -223,7 +272,8 @@ inline PlannedScene planned_scene(std::string_view name) {
 // A planned scene's inputs, and memory to draw it in. The scene must outlive it.
 struct PlannedFrame {
     explicit PlannedFrame(const PlannedScene& planned)
-        : frame(planned.settings.machine, planned.patches.size(), FrameShape(2)),
+        : frame(planned.settings.machine, planned.patches.size(),
+                FrameShape(map_layers(planned.settings) == 0 ? 0 : 2)),
           inputs{planned.scene(), planned.settings, {}} {
         EXPECT_EQ(load_matrices(inputs.scene, inputs.settings, inputs.matrices),
                   FrameStatus::ok)

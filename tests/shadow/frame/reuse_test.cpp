@@ -56,6 +56,9 @@ std::string draw_over(const PlannedScene& before, const PlannedScene& now) {
 
 std::int64_t another(const Setting& setting, const Settings& s) {
     const std::int64_t v = setting.get(s);
+    if (setting.key == "form" && !is_on_ground(s.form))  // these scenes have none
+        return static_cast<std::int64_t>(s.form == Form::post_process ? Form::correct
+                                                                      : Form::post_process);
     if (setting.kind == SettingKind::choice) return (v + 1) % (setting.max + 1);
     if (setting.kind == SettingKind::decimal) return v == 0 ? setting.max : v / 2;
     for (const std::int64_t w : {v - 1, v + 1, setting.min, setting.max}) {
@@ -95,6 +98,7 @@ void change_each_setting(PlannedScene base, const Expected& expected) {
     int turn = 0;
     for (const Setting& setting : settings_table()) {
         if (umbra78::test::sanitized && ++turn % 4 != 0) continue;
+        if (setting.key == "form" && is_on_ground(base.settings.form)) continue;  // other buffers
         SCOPED_TRACE(setting.key);
         PlannedScene changed = base;
         setting.set(changed.settings, another(setting, base.settings));
@@ -118,6 +122,34 @@ TEST(Reuse, EachSettingInTurn) {
 
 TEST(Reuse, EachSettingInTurnOfTheCorrectForm) {
     change_each_setting(test::planned_scene("correct"), correct_form);
+}
+
+// A shadow that is drawn reads none of the settings of a test, and is kept with the picture or not
+// at all.
+TEST(Reuse, EachSettingInTurnOfAGround) {
+    Expected expected;
+    for (const char* key : {"xy_bits", "z_bits", "coefficient_bits", "transform_rounding",
+                            "coefficient_rounding", "depth_rounding", "surface", "sampling",
+                            "ambient"})
+        expected[key] = "";
+    for (const char* key : {"dequantize", "low_pass", "composite", "density"})
+        expected[key] = "LDOM";
+    change_each_setting(test::planned_scene("ground"), expected);
+    change_each_setting(test::planned_scene("blob"), expected);
+}
+
+TEST(Reuse, AGroundTakesNothingFromAnotherForm) {
+    const PlannedScene ground = test::planned_scene("ground");
+    PlannedScene before = ground;
+    before.settings.form = Form::post_process;
+    EXPECT_EQ(draw_over(before, ground), "");
+    before = ground;
+    std::swap(before.patches[0], before.patches[before.ground]);
+    before.ground = 0;
+    EXPECT_EQ(draw_over(before, ground), "") << "it is another patch";
+    PlannedScene moved = ground;
+    moved.light.axes = raster::axes_from_angles(-80 << 16, 50 << 16);
+    EXPECT_EQ(draw_over(ground, moved), "");
 }
 
 // Figure 6's by percentage closer filtering: taps are read, background is not.
@@ -228,6 +260,9 @@ TEST(Reuse, BetweenTwoScenes) {
     for (const PlannedScene& before : scenes)
         for (const PlannedScene& now : scenes) {
             if (now.patches.size() > before.patches.size()) continue;  // carved for fewer
+            if (map_layers(now.settings) > map_layers(before.settings) &&
+                map_layers(before.settings) == 0)
+                continue;  // carved without a map
             if (++pairs % (umbra78::test::sanitized ? 32 : 4) != 0) continue;
             ++drawn;
             SCOPED_TRACE(before.name + " to " + now.name);

@@ -236,6 +236,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("composite", "whole", Composite::whole));
     all.push_back(named("form", "post_process", Form::post_process));
     all.push_back(named("form", "correct", Form::correct));
+    all.push_back(named("form", "ground", Form::ground));
+    all.push_back(named("form", "blob", Form::blob));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
     all.push_back(named("array_memory", "standard", hw::ap120b::MemorySpeed::standard));
@@ -339,7 +341,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 1}},
+        {"form", {0, 3}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"sector_test", {0, 1}},
@@ -374,10 +376,12 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
         const test::FigureScene figures;
         test::Frame<hw::Depth32> frame(s.machine, figures.patches.size(),
                                          FrameShape(map_layers(s)));
-        const FrameStatus status = frame.draw(figures.scene(), s);
+        Scene scene = figures.scene();
+        scene.ground = 17;  // as good as any plane, by its corners
+        const FrameStatus status = frame.draw(scene, s);
         EXPECT_TRUE(status == FrameStatus::ok || what == "bias" || what == "all") << what;
         if (status != FrameStatus::ok) return;
-        const FrameInputs in{figures.scene(), s, frame.matrices};
+        const FrameInputs in{scene, s, frame.matrices};
         EXPECT_GT(frame_ledger(in, frame.buffers, frame.counts).total(true), 0u) << what;
         ++drawn;
     };

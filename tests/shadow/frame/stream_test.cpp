@@ -82,6 +82,7 @@ void expect_same_as_held(const Scene& held, const Settings& settings) {
 TEST(Stream, IsTheHeldFrameInAnyOrder) {
     for (test::PlannedScene& planned : test::planned_scenes()) {
         SCOPED_TRACE(planned.name);
+        if (map_layers(planned.settings) == 0) continue;  // a stream names no ground
         planned.settings.machine.xy_bits = umbra78::test::sanitized ? 5 : 6;
         expect_same_as_held(planned.scene(), planned.settings);
     }

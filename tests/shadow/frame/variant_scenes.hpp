@@ -20,6 +20,7 @@ struct VariantScene {
     std::vector<raster::World> vertices;
     std::vector<std::array<std::int32_t, 3>> normals;
     std::vector<raster::Facet> facets;
+    std::vector<raster::Ellipse> blobs;
     std::array<raster::Material, 1> materials{figure_material};
 
     explicit VariantScene(const std::string& name) {
@@ -32,10 +33,13 @@ struct VariantScene {
                 {{-3 * 65536, -127795, 3 * 65536}, {6 * 65536, 0, 0}, {0, 0, -6 * 65536}, 0}));
         else
             EXPECT_EQ(name, "spheres");
+        if (name == "floor") make_blobs();
     }
     // `lights`: sources by their names there, "left + dim".
     Scene scene(const std::string& observer, const std::string& lights) const {
         Scene made{patches, materials, view(observer), {}, 0, mesh()};
+        if (patches.size() == 129) made.ground = 128;  // the floor
+        made.blobs = blobs;
         for (std::size_t from = 0, to; from < lights.size(); from = to + 3) {
             to = std::min(lights.find(" + ", from), lights.size());
             add_source(lights.substr(from, to - from), made);
@@ -107,6 +111,14 @@ private:
         const std::uint64_t root = fixed::isqrt(square);
         return lamp(at, place.extent,
                     static_cast<std::int32_t>(root + (square - root * root > root ? 1 : 0)));
+    }
+    void make_blobs() {
+        for (std::size_t sphere = 0; sphere < 4; ++sphere) {
+            raster::EllipseFit fit(patches[128]);
+            raster::Surfaces(std::span(patches).subspan(32 * sphere, 32))
+                .for_points([&](const raster::World& p) { fit.add(p); });
+            EXPECT_TRUE(fit.fit(blobs.emplace_back()));
+        }
     }
     void make_mesh() {
         patches.resize(raster::patches_per_sphere);

@@ -61,7 +61,7 @@ TEST(SceneKeys, EveryRowIsRead) {
             ++rows;
         }
     }
-    EXPECT_EQ(rows, 71);
+    EXPECT_EQ(rows, 72);
 }
 
 std::string decimal(std::int64_t word, int fraction) {
