@@ -91,7 +91,7 @@ TEST(SectoredLight, BothWaysGiveOneMask) {
 }
 
 // Six walls about the lamp, which cast nothing on each other: whatever is dark is a seam.
-Scene room(std::vector<raster::Patch>& walls, const VariantScene& lights) {
+Scene closed_room(std::vector<raster::Patch>& walls, const VariantScene& lights) {
     const std::int32_t r = 3 << 16;
     const auto wall = [&](raster::World origin, raster::World u, raster::World v) {
         walls.push_back(raster::plane_patch({origin, u, v, 0}));
@@ -117,7 +117,7 @@ TEST(SectoredLight, HasNoSeams) {
             if (s.machine.coefficient_bits < 24 || s.machine.dropped_bits() > 0) continue;
             std::vector<raster::Patch> walls;
             const VariantScene lights("spheres");
-            Scene scene = room(walls, lights);
+            Scene scene = closed_room(walls, lights);
             scene.observer.axes = raster::axes_from_angles(azimuth << 16, 10 << 16);
             s.bias_q16 = 4 << 16;
             const test::Frame<> f(scene, s);
