@@ -1,4 +1,5 @@
-// Rows of an exact matrix, rounded to coefficient words with an exponent (hw/MACHINE.md, section 5).
+// Rows of an exact matrix, rounded to coefficient words with an exponent (hw/MACHINE.md, section
+// 5).
 #pragma once
 
 #include "fixed/rational.hpp"

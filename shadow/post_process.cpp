@@ -21,7 +21,8 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
     const auto left_out = [&](int y) {
         std::fill_n(mask.data() + observer.address(0, y), spec.size_px(), mask_lit);
     };
-    walk_pixels(observer, test, work, map.window.noisy_taps(), left_out, [&](const WalkedPixel& at) {
+    const int noisy_taps = map.window.noisy_taps();
+    walk_pixels(observer, test, work, noisy_taps, left_out, [&](const WalkedPixel& at) {
         mask[at.address] = mask_lit;
         if (!at.visible && !work.background) return;
         ++counts.visible;

@@ -111,8 +111,8 @@ hw::Operations drawing_operations(const FrameInputs&, const hw::MatrixWords& vie
 // What map_depth and bias_slope add to the drawing of a light's view with these counts.
 hw::Operations map_operations(const FrameInputs&, const raster::DrawCounts&);
 
-// Whether the post-process goes over the frame for this light: not for a further sector whose pixels
-// the first one's pass sorts out.
+// Whether the post-process goes over the frame for this light: not for a further sector whose
+// pixels the first one's pass sorts out.
 bool has_pass(const FrameInputs&, std::size_t light);
 // What such a pass takes of each visible pixel beside the pipeline.
 hw::Operations test_operations(const FrameInputs&, std::size_t light);

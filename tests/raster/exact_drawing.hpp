@@ -133,7 +133,8 @@ struct ExactShading {
             if (blinn) r = nh;
             r = std::clamp<Int128>(r, 0, power(14));
             if (rule == ShadingRule::lambert || rule == ShadingRule::none) r = 0;
-            for (int k = 0; k < material.shininess + (blinn ? 2 : 0); ++k) r = half_up_of(r * r, power(14));
+            for (int k = 0; k < material.shininess + (blinn ? 2 : 0); ++k)
+                r = half_up_of(r * r, power(14));
             s += material.diffuse[0] * (256 - ambient) * nl + 256 * material.specular[0] * r;
         }
         return {level(s), {static_cast<std::uint8_t>(level(s) - level(unlit))}};

@@ -209,8 +209,8 @@ TEST(Shading, APointLightShinesFromItsPlace) {
     std::cout << "[ measured ] point light: levels differ by at most " << worst << '\n';
 }
 
-// Blinn's highlight has Phong's size where light and viewer stand near the normal, and both are gone
-// half a right angle away; without a rule every sample has the material's level.
+// Blinn's highlight has Phong's size where light and viewer stand near the normal, and both are
+// gone half a right angle away; without a rule every sample has the material's level.
 TEST(ShadingRules, HaveHighlightsOfOneSize) {
     const Material glossy{100, 100, 5};
     const auto level = [&](ShadingRule rule, double degrees) {
@@ -231,7 +231,7 @@ TEST(ShadingRules, HaveHighlightsOfOneSize) {
     }
     EXPECT_EQ(level(ShadingRule::phong, 0), 200);
     EXPECT_EQ(level(ShadingRule::phong, 80), level(ShadingRule::lambert, 80));
-    // Far from there the two rules differ: to the side of grazing light Blinn's highlight is narrow.
+    // Far from there the two rules differ: to the side of grazing light Blinn's is narrow.
     const Vector3 low = unit3({-1, 0, 0.1}), away = unit3({1, 0.3, 0.1});
     std::array<int, 2> shine{};
     for (const ShadingRule rule : {ShadingRule::phong, ShadingRule::blinn}) {

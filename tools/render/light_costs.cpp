@@ -28,7 +28,8 @@ std::vector<LightCost> light_costs(const LoadedScene& scene,
             cost.filters += map.filters(true);
         }
         next += points;
-        // Maps; a mask each, or one of all sectors; an area's joined mask; two filtered; the shares.
+        // Maps; a mask each, or one of all sectors; the darkness of an area or a ramp; two
+        // filtered planes; the shares.
         const std::uint64_t masks = scene.lights[l].sectored    ? 1
                                     : points > 1                 ? points + 1
                                     : scene.lights[l].ramp_px > 0 ? 2

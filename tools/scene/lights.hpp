@@ -10,7 +10,8 @@
 namespace umbra78::tools {
 
 // The kind "directional" makes an orthographic view, "point" a perspective one, "area" one for each
-// light on it, "sectors" six. The origin is taken from the views' places. At least one, even after an error.
+// light on it, "sectors" six. The origin is taken from the views' places. At least one, even after
+// an error.
 std::vector<SceneLight> read_lights(const TomlNode& root, ScenePoints&,
                                     const raster::World& origin, FirstError&);
 

@@ -53,7 +53,8 @@ def angles(azimuth, elevation):
 
 # Sources that are more than a view of level 256: the view, levels, and of an area size and side.
 SOURCES = {"dim": ("right", (128,), None), "red": ("sun", (256, 64, 32), None),
-           "panel": ("lamp", (256,), (131072, 2, None)), "scatter": ("lamp", (256,), (131072, 2, 78))}
+           "panel": ("lamp", (256,), (131072, 2, None)),
+           "scatter": ("lamp", (256,), (131072, 2, 78))}
 # Sectored: the place, the distance, near and far.
 SECTORED = {"bulb": ((10000, 60000, 20000), 65536, (2048, 524288))}
 PLACES = {"lamp": (-327680, 262144, 131072)}
@@ -241,7 +242,8 @@ class Frame:
         n = 1 if self.sources[source].sectored else len(self.sources[source].views)
         masks = [self.of_light("mask", first + k) for k in range(n)]
         if self.sources[source].ramp:
-            masks[0] = ramp(masks[0], self.visible(), int(self.sources[source].ramp), self.s.size_px)
+            width = int(self.sources[source].ramp)
+            masks[0] = ramp(masks[0], self.visible(), width, self.s.size_px)
         self.made["darkness" + number] = masks[0] if n == 1 else [
             (2 * sum(pixel) + n) // (2 * n) for pixel in zip(*masks)]
 

@@ -131,7 +131,8 @@ TEST(CostTable, Drawing) {
                    text(centre.accesses) + "; " + text(leaf.accesses)));
     expect_row(row("drawn block, shading: 4 normals, each", c::corner_normal));
     using enum raster::ShadingRule;
-    const auto of_shininess = [](const char* what, const Operations& dull, const Operations& shiny) {
+    const auto of_shininess = [](const char* what, const Operations& dull,
+                                 const Operations& shiny) {
         expect_row(row(what, linear(dull.adds, shiny.adds, "n"),
                        linear(dull.products, shiny.products, "n") + " (" +
                            linear(dull.passes, shiny.passes, "n") + ")",

@@ -81,7 +81,8 @@ TEST(SectoredLight, BothWaysGiveOneMask) {
             SCOPED_TRACE(std::to_string(&s - &*ways_to_look_up().begin()) + observer);
             Settings other = s;
             other.sector_test = SectorTest::every;
-            const Lit classified("floor", observer, "bulb", s), every("floor", observer, "bulb", other);
+            const Lit classified("floor", observer, "bulb", s);
+            const Lit every("floor", observer, "bulb", other);
             expect_equal_buffers("mask", 64, classified.mask(), every.mask());
             EXPECT_GT(classified.dark(), 100);
             // Each pixel is sorted into one sector at most, or goes through six.

@@ -52,7 +52,8 @@ auto members(const Settings& s) {
                            registration, lookup, background, taps, tap_places, s.bias_q16,
                            s.bias_unit, s.map_depth, s.bias_slope_q8, s.bias_clamp_q16, receiver,
                            shape, size_q8, seed, s.dequantize_passes,
-                           s.low_pass_passes, s.ambient_q8, s.shading, s.composite, s.density_q8, s.form,
+                           s.low_pass_passes, s.ambient_q8, s.shading, s.composite, s.density_q8,
+                           s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
                            light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
                            s.arithmetic, s.array_memory, s.sector_test);

@@ -116,7 +116,8 @@ TEST_F(Program, WhatTakesOneGreyLightRefusesOthers) {
     refuses("trace " + lights + " --pixel 3,4", "looks at one light with one depth map");
     refuses("study error-time " + area + " --quick", "looks at one light with one depth map");
     refuses("trace " + scenes + "lamp.toml --set light.ramp=3 --pixel 3,4", "has a ramp");
-    refuses("trace " + scenes + "sectors.toml --pixel 3,4", "looks at one light with one depth map");
+    refuses("trace " + scenes + "sectors.toml --pixel 3,4",
+            "looks at one light with one depth map");
     refuses("cycles " + area + " --all", "looks at one light with one depth map");
     refuses("animate " + lights + " --observer 0:10 --frames 2", "an animation is grey");
     refuses("pack " + scenes + "figures.toml --set light2.level=1 --out a.u78p",
