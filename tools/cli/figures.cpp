@@ -94,6 +94,12 @@ SheetCell cell_of(const DrawnScene& d, std::span<const std::uint8_t> gray,
         cell.caption.push_back(fmt::format("false shadow {} %, false light {} %",
                                            percent(d.error->all.false_shadow_rate()),
                                            percent(d.error->all.false_light_rate())));
+    std::string by_light;
+    for (const ShadowReport& one : d.by_light)
+        by_light += fmt::format("{}{}", by_light.empty() ? "" : ", ",
+                                percent(one.graded.mean_absolute()));
+    if (!by_light.empty())
+        cell.caption.push_back(fmt::format("its lights off by {} % on average", by_light));
     return cell;
 }
 

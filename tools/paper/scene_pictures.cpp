@@ -80,13 +80,20 @@ void measure(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
 }
 
 void compare(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
+    const std::vector<std::uint8_t> visible = job.visible();
+    const Buffer depths = job.buffer(Plane::observer_z);
+    const auto compared = [&](const SceneTruth& truth, std::size_t light) {
+        return report(truth, {job.bytes({Plane::filtered, light}), visible},
+                      widened(light_texel_band(truth), truth, scene.settings), &depths);
+    };
+    for (std::size_t l = 0; scene.lights.size() > 1 && l < scene.lights.size(); ++l)
+        if (const std::optional<SceneTruth> truth = trace(scene, l))
+            made.by_light.push_back(compared(*truth, l));
     if (scene.lights.size() > 1) return;
     const std::optional<SceneTruth> truth = trace(scene);
     if (!truth) return;
-    const std::vector<std::uint8_t> visible = job.visible();
-    const Buffer depths = job.buffer(Plane::observer_z);
     const Band band = widened(light_texel_band(*truth), *truth, scene.settings);
-    made.error = report(*truth, {job.bytes(Plane::filtered), visible}, band, &depths);
+    made.error = compared(*truth, 0);
     if (!scene.ground) return;
     const std::vector<std::uint8_t> ground = ground_pixels(scene, job);
     made.on_ground = report(*truth, {job.bytes(Plane::filtered), ground}, band);
@@ -201,6 +208,7 @@ nlohmann::ordered_json to_json(const DrawnScene& d) {
     json["host_ms"] = d.cost.host_ms;
     json["host_ms_without_shadow"] = d.cost.host_ms_without;
     json["error"] = to_json(d.error);
+    for (const ShadowReport& one : d.by_light) json["error_by_light"].push_back(to_json(one));
     if (d.on_ground) json["error_on_ground"] = to_json(d.on_ground);
     json["warnings"] = d.warnings;
     return json;

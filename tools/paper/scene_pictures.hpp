@@ -48,6 +48,7 @@ struct DrawnScene {
     std::size_t lights = 1, maps = 1;
     ShadowCost cost;
     std::optional<ShadowReport> error;  // of a scene with one light
+    std::vector<ShadowReport> by_light{};  // of one with several
     std::optional<ShadowReport> on_ground{};  // of the pixels that show its ground
     std::vector<std::string> warnings;
 
