@@ -130,7 +130,7 @@ TEST(Reuse, EachSettingInTurnOfAGround) {
     Expected expected;
     for (const char* key : {"xy_bits", "z_bits", "coefficient_bits", "transform_rounding",
                             "coefficient_rounding", "depth_rounding", "surface", "sampling",
-                            "ambient"})
+                            "ambient", "shading"})
         expected[key] = "";
     for (const char* key : {"dequantize", "low_pass", "composite", "density"})
         expected[key] = "LDOM";
