@@ -170,7 +170,7 @@ def plain_shading(ambient, material):
     shade = Shading.__new__(Shading)
     diffuse, specular, shade.shininess = material
     shade.ambient, shade.diffuse, shade.specular = ambient, (diffuse,), (specular,)
-    shade.source_levels = [(256,)]
+    shade.source_levels, shade.rule = [(256,)], "phong"
     return shade
 
 
