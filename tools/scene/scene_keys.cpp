@@ -2,6 +2,7 @@
 
 #include "fixed/decimal.hpp"
 #include "fixed/trap.hpp"
+#include "shadow/filters/ramp.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
