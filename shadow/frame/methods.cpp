@@ -26,11 +26,11 @@ hw::UnitCycles fixed_units(const hw::Operations& o, const Settings& s) {
 template <class Depth>
 SectorMaps<Depth> sector_maps(const FrameInputs& in, std::size_t first,
                               const FrameBuffers<Depth>& frame) {
-    SectorMaps<Depth> maps{.observer = frame.observer, .map = {}, .matrix = {}, .limit = {}};
+    SectorMaps<Depth> maps{.observer = frame.observer, .map = {}, .matrix = {}, .receiver = {}};
     for (std::size_t k = 0; k < hw::sector_count; ++k) {
         maps.map[k] = frame.lights[first + k].map;
         maps.matrix[k] = in.matrices.lights[first + k].observer_to_light;
-        maps.limit[k] = plane_limit(in, first + k);
+        maps.receiver[k] = receiver_words(in, first + k);
     }
     return maps;
 }
@@ -72,7 +72,7 @@ void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t
         }
     }
     counted = post_process(frame.maps(l), matrix, in.settings, work_of(plan), light.mask,
-                           plane_limit(in, l));
+                           receiver_words(in, l));
 }
 
 // The schedule of the observer's visible pixels through the clocked stages.
@@ -206,6 +206,7 @@ constexpr Method post_process_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = built(Feature::surface_bias),
+    .takes_normal = built(Feature::surface_bias),
     .takes_sectors = built(Feature::lights),
     .in_shading = false,
     .uses_transform_unit = true,
@@ -245,6 +246,7 @@ constexpr Method correct_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_normal = false,
     .takes_sectors = false,
     .in_shading = true,
     .uses_transform_unit = true,
@@ -273,6 +275,7 @@ constexpr Method array_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_normal = false,
     .takes_sectors = false,
     .in_shading = false,
     .uses_transform_unit = false,
@@ -304,6 +307,7 @@ constexpr Method ground_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_normal = false,
     .takes_sectors = false,
     .in_shading = false,
     .uses_transform_unit = true,
@@ -368,8 +372,7 @@ bool method_can(const Settings& settings) {
     const Method* method = method_of(settings);
     return method != nullptr && settings.machine.z_bits <= method->max_z_bits &&
            window_in_range(settings) &&
-           (settings.receiver == Receiver::point ||
-            (method->takes_plane && !has_window(settings.lookup)));
+           method->takes(settings.receiver, settings.lookup);
 }
 
 }  // namespace umbra78::shadow

@@ -38,10 +38,12 @@ void print_claim(const CostClaim& claim) {
                claim.both_views, claim.transformation, claim.depth_complexity);
 }
 
-// Only the fixed-point machine's post-process has a memory replay, a waterfall and a dump.
+// Only the fixed-point machine's post-process has a memory replay, a waterfall and a dump, and none
+// of them moves a point along its normal.
 bool is_clocked(const LoadedScene& scene) {
     const shadow::Method* method = shadow::method_of(scene.settings);
-    return method != nullptr && method->trace == shadow::Trace::clocked_post_process;
+    return method != nullptr && method->trace == shadow::Trace::clocked_post_process &&
+           scene.settings.receiver != shadow::Receiver::normal;
 }
 
 void one_profile(const Options& options, const LoadedScene& scene) {
@@ -79,6 +81,9 @@ void one_profile(const Options& options, const LoadedScene& scene) {
                                : print_post_process(ledger.post_process, clock_ns));
     if (is_clocked(scene))
         fmt::print("{}\n{}\n", waterfall(job), print_memory(job.replay_memory()));
+    if (scene.settings.receiver == shadow::Receiver::normal)
+        fmt::print("no memory is replayed and no pixel is timed with receiver = normal; give --set "
+                   "receiver=point\n\n");
     print_claim(cost_claim(ledger));
 }
 
