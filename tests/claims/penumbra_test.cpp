@@ -4,6 +4,7 @@
 // square source stands 20 over the floor and 10 to the left, so that the edge's shadow falls to the
 // right, where the observer, who looks down, sees it whole. The penumbra grows with the height of
 // the edge; a low-pass is as wide everywhere.
+#include "shadow/filters/ramp.hpp"
 #include "tests/claims/drawn.hpp"
 
 #include <gtest/gtest.h>
@@ -103,6 +104,42 @@ TEST(LowPass, IsThePenumbraOfOneSourceAtOneDistance) {
         EXPECT_NEAR(std::log2(best[k] * height / (3.46 / 64 * 20)), 0, 0.75) << strips[k].name;
     }
     EXPECT_GT(at_best_of_whole[0], 1.3 * least[0]);
+}
+
+// Crow's ramp has one width. Around the shadow of the source's middle it is best with a quarter of
+// the penumbra's: half of the penumbra lies on the other side of that edge, where the ramp is dark.
+TEST(CrowsRamp, FitsAtOneDistanceAndOnOneSide) {
+    const std::string settings = "lookup = \"bilinear\"\nbias = 1\nbias_unit = \"texels\"\n";
+    constexpr double side = 8;
+    const auto truth = truth_of(rising_edge(source_of(side, 1), settings));
+    const Strip strips[] = {contact, middle, far};
+    std::array<double, 3> hard{}, least{1, 1, 1}, at_best_of_middle{};
+    std::array<int, 3> best{};
+    std::array<std::array<double, 3>, shadow::max_ramp_px + 1> rms{};
+    for (int width = 0; width <= shadow::max_ramp_px; ++width) {
+        const Drawn ramped(rising_edge(source_of(side, 1) + "ramp = " + std::to_string(width) +
+                                       "\n", settings));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double at = rms_in(strips[k], truth->truth, ramped.mask(tools::Plane::filtered));
+            rms[static_cast<std::size_t>(width)][k] = at;
+            if (width == 0) hard[k] = at;
+            if (at >= least[k]) continue;
+            least[k] = at;
+            best[k] = width;
+        }
+    }
+    at_best_of_middle = rms[static_cast<std::size_t>(best[1])];
+    for (std::size_t k = 0; k < 3; ++k)
+        std::printf("Crow's ramp, %s (edge %.2f to %.2f high, penumbra %.1f px): best %d px wide, "
+                    "rms %.3f; with the middle's %d px %.3f; hard %.3f\n",
+                    strips[k].name, strips[k].from, strips[k].to,
+                    side / 20 * (strips[k].from + strips[k].to) / 2 * 64, best[k], least[k],
+                    best[1], at_best_of_middle[k], hard[k]);
+    EXPECT_LT(best[0], best[1]);
+    EXPECT_LT(best[1], best[2]);
+    EXPECT_LT(least[1], 0.95 * hard[1]);                // it helps where it fits
+    EXPECT_GT(least[1], 0.5 * hard[1]);                 // on one side alone
+    EXPECT_GT(at_best_of_middle[0], 1.3 * hard[0]);     // and near contact it harms
 }
 
 // Mean width of the penumbra, in pixels, across the strip: shares within 5 .. 95 %, over 0.9.

@@ -207,7 +207,9 @@ void print_planes(const RenderJob& job) {
         const Buffer buffer = job.buffer(plane);
         fmt::print("{:<{}} {}\n", buffer.name, width, hash_of(buffer));
     }
-    if (further > 0) fmt::print("            and {} more maps and masks: see --json\n", further);
+    if (further > 0)
+        fmt::print("            and {} more {}masks: see --json\n", further,
+                   has_map(job) ? "maps and " : "");
 }
 
 void print_rows(const Options& options, const Rendered& rendered) {

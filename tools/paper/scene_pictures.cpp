@@ -14,6 +14,7 @@
 #include <atomic>
 #include <exception>
 #include <filesystem>
+#include <sstream>
 #include <thread>
 
 namespace umbra78::tools {
@@ -55,6 +56,8 @@ constexpr ScenePicture table[] = {
     {.name = "three_lights", .shows = "three coloured lights", .scene = "three_lights.toml"},
     {.name = "sectors", .shows = "a lamp among spheres, six maps", .scene = "sectors.toml"},
     {.name = "penumbra", .shows = "a table under a lamp with area", .scene = "penumbra.toml"},
+    {.name = "ramp", .shows = "the same, one map and a ramp", .scene = "penumbra.toml",
+     .set = "light.samples=1 light.ramp=4"},
 };
 
 // The observer's view is drawn once more by itself, for its time is that of a frame without shadow.
@@ -98,7 +101,8 @@ DrawnScene draw(const ScenePicture& of, const std::string& folder) {
         return made;
     }
     std::vector<std::string> set;
-    if (!of.set.empty()) set.emplace_back(of.set);
+    std::istringstream overrides{std::string(of.set)};
+    for (std::string one; overrides >> one;) set.push_back(one);
     const LoadedScene scene = load_scene(fmt::format("{}/{}", folder, of.scene), set);
     RenderJob job(scene.view(), scene.settings);
     job.render();

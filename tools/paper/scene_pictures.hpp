@@ -19,7 +19,7 @@ struct ScenePicture {
     std::string_view name;   // of its file and its golden
     std::string_view shows;  // a caption
     std::string_view scene;  // a file of tools/scenes
-    std::string_view set{};  // one override, or none
+    std::string_view set{};  // overrides, with a blank between two
     bool figure = false;     // one of the paper's; else of the gallery
     std::string_view needs{};  // a file, without which it is left out
     std::string_view package{};  // that brings the file

@@ -16,13 +16,19 @@ using shadow::FrameLedger;
 using shadow::PhaseLedger;
 using shadow::StageLedger;
 
-// The phases that are costed in operations, in the order of the frame.
+// The phases that are costed in operations, in the order of the frame; the transformation, which
+// may be clocked, stands before the third of them.
+constexpr std::ptrdiff_t after_transformation = 2;
 std::vector<std::pair<const char*, const PhaseLedger*>> phases(const FrameLedger& l) {
-    return {{l.has_map ? "light's view" : "shadow, flat", &l.light},
-            {"observer's view", &l.observer},
-            {"dequantize", &l.dequantize},
-            {"low-pass", &l.low_pass},
-            {"composite", &l.composite}};
+    std::vector<std::pair<const char*, const PhaseLedger*>> all{
+        {l.has_map ? "light's view" : "shadow, flat", &l.light},
+        {"observer's view", &l.observer},
+        {"dequantize", &l.dequantize},
+        {"low-pass", &l.low_pass},
+        {"composite", &l.composite}};
+    if (l.join.units.side_by_side() > 0)  // of an area or a ramp
+        all.insert(all.begin() + after_transformation, {"darkness", &l.join});
+    return all;
 }
 
 std::string blamed(const shadow::PostProcessLedger& l, const StageLedger& row) {
@@ -70,8 +76,9 @@ std::string print_frame(const FrameLedger& l, int clock_ns) {
                             u.one_after_the_other(), simulated_ms(u.side_by_side(), clock_ns),
                             u.side_by_side() > 0 ? u.busiest() : "left out");
     };
-    for (const auto& [name, phase] : phases(l)) {
-        if (phase == &l.dequantize) {
+    const auto all = phases(l);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k == after_transformation) {
             text += fmt::format("{:<16}{:>48}{:>14}{:>18}{:>11.2f}  {}\n", "transformation",
                                 l.on_array  ? "AP-120B, see below"
                                 : l.has_map ? "clocked, see below"
@@ -80,7 +87,7 @@ std::string print_frame(const FrameLedger& l, int clock_ns) {
                                 simulated_ms(l.transformation(true), clock_ns), l.bottleneck());
             if (l.test.units.side_by_side() > 0) row("  its operations", l.test);
         }
-        row(name, *phase);
+        row(all[k].first, *all[k].second);
     }
     text += fmt::format("{:<16}{:>62}{:>18}{:>11.2f}\n", "frame", l.total(true), l.total(false),
                         simulated_ms(l.total(true), clock_ns));

@@ -20,16 +20,17 @@ std::vector<LightCost> light_costs(const LoadedScene& scene,
     std::size_t next = 0;  // of the depth maps
     for (std::size_t l = 0; l < scene.lights.size(); ++l) {
         LightCost cost{.light = l, .name = name_of_light(l, scene.lights.size())};
-        cost.maps = scene.lights[l].views().size();
-        for (const FrameLedger& map : ledgers.subspan(next, cost.maps)) {
+        const std::size_t points = scene.lights[l].views().size();
+        cost.maps = has_map ? points : 0;
+        for (const FrameLedger& map : ledgers.subspan(next, points)) {
             cost.drawing += FrameLedger::cycles(map.light, true);
             cost.transformation += map.transformation(true);
             cost.filters += map.filters(true);
         }
-        next += cost.maps;
+        next += points;
         // Maps; a mask each, or one of all sectors; an area's joined mask; two filtered; the shares.
         const std::uint64_t masks = scene.lights[l].sectored    ? 1
-                                    : cost.maps > 1              ? cost.maps + 1
+                                    : points > 1                 ? points + 1
                                     : scene.lights[l].ramp_px > 0 ? 2
                                                                   : 1;
         cost.bytes = pixels * (cost.maps * z_bytes + masks + 2 + channels);

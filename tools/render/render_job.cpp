@@ -61,8 +61,8 @@ void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings&
     if (shadow::FrameShape(scene) != shadow::FrameShape(inputs_.scene))
         throw SceneError("this frame was made for other lights, or in grey: make another");
     if (shadow::map_layers(settings) > layers_)
-        throw SceneError(layers_ == 0 ? "this frame was made for form=ground, without a light's "
-                                        "map: for another form make another"
+        throw SceneError(layers_ == 0 ? "this frame was made for a form on a ground, without a "
+                                        "light's map: for another form make another"
                                       : "this frame was made for one depth a texel of the light's "
                                         "map: for map_depth=midpoint make another");
     if (scene.patches.size() > patches_)

@@ -85,6 +85,9 @@ void require_one_light(const LoadedScene& scene, const std::string& what) {
     if (!one)
         throw SceneError(fmt::format("{}: {} looks at one light with one depth map, and the scene "
                                      "has more; leave out the others", scene.name, what));
+    if (scene.lights.front().ramp_px > 0)
+        throw SceneError(fmt::format("{}: {} looks at a hard shadow, and the light has a ramp; "
+                                     "leave out ramp", scene.name, what));
     if (scene.is_coloured())
         throw SceneError(fmt::format("{}: {} looks at a grey frame; give materials and lights "
                                      "single levels", scene.name, what));

@@ -66,6 +66,8 @@ class Shading:
     """Sources are (view, levels); a material is (diffuse, specular, shininess), by channel the
     first two; the frame has as many channels as the levels that are given."""
 
+    rule = "phong"
+
     def __init__(self, observer, sources, object_fraction, ambient, material, rule="phong"):
         self.rule = rule
         self.viewer = Toward(observer, object_fraction)

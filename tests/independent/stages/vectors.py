@@ -5,6 +5,7 @@ from . import blocks, perspective
 from .bias import Layers, moved_code, offset, slope
 from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
+from .ground import Ground, ShadowView, ellipse, ellipse_patches
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits, taps_of_pixel
 from .receiver import Plane, Receivers, Scale, gradient, moved
 from .samples import leaf_corners, triangle_depth, z_code
@@ -92,6 +93,24 @@ def matrices(w):
             observer, light = take_view(w), take_view(w)
             m = Loaded(observer_to_light(observer, light, s, number), s.input_fraction,
                        s.one_word, s)
+    except ValueError:
+        return ["refused"]
+    return flat([m.words, m.exponents])
+
+
+def ground(w):
+    if w.pop(0) == "blob":
+        number, *numbers = take(w, len(w))
+        control = plane(*triples(numbers[:9]))
+        blob = ellipse(control, triples(numbers[9:]))
+        return flat([*blob, ellipse_patches(*blob)[number]])
+    xy_bits, z_bits, coefficient_bits, fraction = take(w, 4)
+    s = Settings(xy_bits=xy_bits, z_bits=z_bits, coefficient_bits=coefficient_bits)
+    control, places = plane(*triples(take(w, 9))), triples(take(w, 3))
+    observer, light = take_view(w), take_view(w)
+    try:
+        m = Loaded(ShadowView(observer, Ground(control, light), places).world_to_screen(s),
+                   fraction, 1 << 14, s)
     except ValueError:
         return ["refused"]
     return flat([m.words, m.exponents])
@@ -308,7 +327,8 @@ def bias(w):
 
 
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
-          "matrices": matrices, "transform_unit": transform_unit, "corrections": corrections,
+          "matrices": matrices, "ground": ground,
+          "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
           "triangles": triangles, "dicing": dicing, "bias": bias, "noise": noise,
           "shadow_test": shadow_test, "windows": windows,

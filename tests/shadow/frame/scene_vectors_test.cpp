@@ -1,6 +1,8 @@
 // Vectors of the scene's words: decimals, sines, patches, views and loaded matrices.
 #include "fixed/decimal.hpp"
 #include "fixed/sine.hpp"
+#include "raster/blob.hpp"
+#include "raster/planar.hpp"
 #include "raster/projection.hpp"
 #include "raster/view.hpp"
 #include "shadow/bias.hpp"
@@ -220,6 +222,67 @@ TEST(Vectors, Matrices) {
                    "shadow xy_bits z_bits coefficient_bits bias (quanta, Q.16) observer light -> "
                    "matrix",
                    "bias word (Q.16) unit light -> quanta, Q.16 (1978's widths)"},
+                  lines);
+}
+
+// --- the ground -----------------------------------------------------------------------------
+
+Line& operator<<(Line& line, const raster::World& p) { return line << p.x << p.y << p.z; }
+
+TEST(Vectors, Ground) {
+    Inputs in(26);
+    Lines lines;
+    const auto place = [&](int bits) -> raster::World {
+        const auto word = [&] { return static_cast<std::int32_t>(in.word(bits)); };
+        return {word(), word(), word()};
+    };
+    for (int k = 0; k < 40; ++k) {
+        hw::MachineSpec spec;
+        spec.xy_bits = static_cast<int>(in.between(4, 12));
+        spec.z_bits = static_cast<int>(in.between(4, 24));
+        spec.coefficient_bits = static_cast<int>(in.between(8, 32));
+        const raster::View observer = some_view(in), light = some_view(in);
+        const raster::World o = place(19), u = place(19), v = place(19), p = place(20);
+        std::array<raster::Patch, 2> patches{raster::plane_patch({o, u, v, 0})};
+        patches[1].control.fill(p);
+        const hw::WordFormat object{16, static_cast<int>(in.between(0, 14))};
+        hw::RationalMatrix exact;
+        hw::MatrixWords m;
+        ASSERT_TRUE(raster::planar_shadow(observer, light, patches, 0, spec, exact));
+        Line line;
+        line << "flat" << spec.xy_bits << spec.z_bits << spec.coefficient_bits << object.fraction
+             << o << u << v << p << observer << light << "->";
+        if (hw::load_matrix(exact, spec, object, m) == hw::LoadStatus::ok)
+            line << m;
+        else
+            line << "refused";
+        lines.push_back(line.text());
+    }
+    for (int k = 0; k < 24; ++k) {
+        const raster::World o = place(19), u = place(19), v = place(19);
+        raster::EllipseFit fit(raster::plane_patch({o, u, v, 0}));
+        Line line;
+        line << "blob" << k % 8 << o << u << v;
+        for (int point = 0; point < 3; ++point) {
+            const raster::World p = place(19);
+            fit.add(p);
+            line << p;
+        }
+        raster::Ellipse e;
+        if (!fit.fit(e)) continue;
+        std::array<raster::Patch, raster::patches_per_ellipse> patches;
+        raster::ellipse_patches(e, patches);
+        line << "->" << e.centre << e.a << e.b;
+        for (const raster::World& p : patches[static_cast<std::size_t>(k % 8)].control) line << p;
+        lines.push_back(line.text());
+    }
+    check_vectors("ground",
+                  {"Section 26. A view is as in views.txt, a matrix as in matrices.txt; the ground",
+                   "is a plane by origin (3) u (3) v (3).",
+                   "flat xy_bits z_bits coefficient_bits object_fraction ground, the only point of",
+                   "what casts (3), observer light -> the shadow matrix",
+                   "blob patch ground, an object's three points (9) -> centre a b, and that patch",
+                   "of the eight"},
                   lines);
 }
 

@@ -45,6 +45,21 @@ TEST_F(Program, RenderOfAnAreaHasItsMapsAndItsPenumbra) {
     EXPECT_EQ(content(folder / "a.png")[25], 0);  // gray
 }
 
+// The ramp's cost is a phase of its own, after the transformation.
+TEST_F(Program, CyclesOfARampHaveItsPhase) {
+    std::vector<std::string> names;
+    std::uint64_t cycles = 0;
+    const Ran ran = run("cycles " + scenes + "figures.toml" + small + "--set light.ramp=4 --json");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    for (const json& phase : parse_json(ran.out)["ledger"]["phases"]) {
+        names.push_back(phase["phase"]);
+        if (phase["phase"] == "darkness") cycles = phase["store"].get<std::uint64_t>();
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"light's view", "observer's view", "darkness",
+                                               "dequantize", "low-pass", "composite"}));
+    EXPECT_EQ(cycles, 64u * 64 * (2 * 4 + 5));
+}
+
 // Both of the paper's ways: one mask, and one pass against six.
 TEST_F(Program, SectorsHaveSixMapsAndOneMask) {
     std::vector<json> reports;
@@ -100,6 +115,7 @@ TEST_F(Program, WhatTakesOneGreyLightRefusesOthers) {
     const std::string lights = scenes + "three_lights.toml", area = scenes + "penumbra.toml";
     refuses("trace " + lights + " --pixel 3,4", "looks at one light with one depth map");
     refuses("study error-time " + area + " --quick", "looks at one light with one depth map");
+    refuses("trace " + scenes + "lamp.toml --set light.ramp=3 --pixel 3,4", "has a ramp");
     refuses("trace " + scenes + "sectors.toml --pixel 3,4", "looks at one light with one depth map");
     refuses("cycles " + area + " --all", "looks at one light with one depth map");
     refuses("animate " + lights + " --observer 0:10 --frames 2", "an animation is grey");

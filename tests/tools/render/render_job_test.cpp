@@ -110,6 +110,23 @@ TEST(RenderJob, ARefusalLeavesSettingsAndMatrices) {
     expect_as_it_was(job, scene);
 }
 
+// Without a map there is no plane of it, and no memory for another form's.
+TEST(RenderJob, AFormOnAGroundHasNoMap) {
+    const SmallScene small;
+    shadow::Scene scene = small.view();
+    scene.ground = 17;  // by its corners as good a plane as any
+    shadow::Settings settings = small.settings;
+    settings.form = shadow::Form::ground;
+    RenderJob job(scene, settings);
+    for (const PlaneOf& plane : job.planes()) EXPECT_NE(name_of(plane), "light_z");
+    settings.form = shadow::Form::blob;
+    job.use(settings);
+    settings.form = shadow::Form::post_process;
+    EXPECT_EQ(error_of([&] { job.use(settings); }),
+              "this frame was made for a form on a ground, without a light's map: for another form "
+              "make another");
+}
+
 // What fits is taken over: every plane is that of a job of its own.
 TEST(RenderJob, OtherSettingsAndScenesAreTakenOver) {
     const SmallScene scene;

@@ -49,7 +49,7 @@ TEST(GroundScene, WhatIsRefused) {
     EXPECT_EQ(read(ground_lamp + plane_text("ground = \"off\"\n")).error,
               none + remedy);
     EXPECT_EQ(read(ground_lamp + flat + flat).error,
-              "a.toml:12: a second [[plane]] is the ground; leave 'ground' out of one");
+              "a.toml:13: a second [[plane]] is the ground; leave 'ground' out of one");
     EXPECT_EQ(read(ground_lamp + ground_ball + "ground = \"on\"\n").error,
               "a.toml:7: unknown key 'ground' in [[sphere]]; known here: centre, radius, material");
     EXPECT_EQ(read("[light]\nazimuth = -60\n" + flat).error,
@@ -77,7 +77,8 @@ TEST(GroundScene, WhatIsRefused) {
 TEST(GroundScene, EachSurfaceHasABlob) {
     const std::string box = "[[box]]\ncentre = [3, 1, 0]\nsize = [2, 2, 1]\n";
     const std::string triangle = "[[triangle]]\na = [0, 1, 4]\nb = [2, 2, 4]\nc = [0, 1, 5]\n";
-    const SceneResult result = read(ground_lamp + ground_ball + plane_text("", 3) +
+    const std::string here = "[observer]\nrecentre = \"off\"\n";
+    const SceneResult result = read(here + ground_lamp + ground_ball + plane_text("", 3) +
                                         plane_text("ground = \"on\"\n") + box + triangle,
                                     "form=blob");
     ASSERT_EQ(result.error, "");

@@ -219,8 +219,8 @@ TEST(SceneLights, WhatIsWrongIsSaidInALine) {
          "a.toml:6: the lights have 65 depth maps up to this one, and 64 are possible; lower "
          "'samples'"},
         {lamp + "size = 1\n[settings]\nform = \"correct\"\n",
-         "a.toml: the correct form shades by a light or not, and has no light with an area; set "
-         "form = \"post_process\", or kind = \"point\""},
+         "a.toml: the correct form shades by a light or not, and has no light with an area or a "
+         "ramp; set form = \"post_process\", or kind = \"point\" and no ramp"},
     });
 }
 

@@ -13,7 +13,8 @@ TEST(ViewErrors, Views) {
         {ball + "[light]\nazimuth = 0\nelevation = -90.5\n",
          "a.toml:6: 'elevation' in [light] is -90.5; its range is -90 .. 90"},
         {ball + "[light]\nkind = \"spot\"\n",
-         "a.toml:5: 'kind' in [light] is the text 'spot'; known here: directional, point, area"},
+         "a.toml:5: 'kind' in [light] is the text 'spot'; known here: directional, point, area, "
+         "sectors"},
         {ball + "[light]\nkind = \"directonal\"\n",
          "a.toml:5: 'kind' in [light] is the text 'directonal'; did you mean 'directional'?"},
         {ball + "[light]\nkind = \"point\"\n",
