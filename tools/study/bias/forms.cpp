@@ -18,7 +18,7 @@ std::string form_of(const Row& row) {
     if (row.number("bias_slope") > 0) name = "slope x " + row.text("bias_slope");
     if (row.text("receiver") == "plane") name = "receiver's plane";
     if (row.text("receiver") == "normal")
-        name = fmt::format("normal offset {} texels", row.text("normal_offset"));
+        name = "normal offset x " + row.text("normal_offset");
     if (name.empty()) return "constant";
     if (row.number("bias_clamp") > 0)
         name += fmt::format(", at most {} quanta", row.text("bias_clamp"));
