@@ -32,7 +32,7 @@
     X(reuse, "keeping what does not change from frame to frame") \
     X(z32, "more than 16 bits of Z") \
     X(lights, "several lights, lights with area, colour") \
-    X(surface_bias, "map_depth other than first, bias_slope, and receiver = plane") \
+    X(surface_bias, "map_depth other than first, bias_slope, and receiver other than point") \
     X(ground, "form = ground and blob")
 
 namespace umbra78::hw {

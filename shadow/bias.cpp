@@ -1,12 +1,21 @@
 // The bias converted exactly, as rational numbers, and rounded once.
 #include "shadow/bias.hpp"
 
+#include <algorithm>
+
 namespace umbra78::shadow {
 namespace {
 
 using hw::Rational;
 
 Rational q16(std::int64_t v) { return Rational(v, std::int64_t{1} << 16); }
+
+// A word with `fraction` bits, within min .. max. What does not fit 64 bits is positive here.
+std::int64_t word(const Rational& value, int fraction, std::int64_t min, std::int64_t max) {
+    std::int64_t w = 0;
+    if (!value.round_scaled(fraction, fixed::Rounding::half_even, w)) return max;
+    return std::clamp(w, min, max);
+}
 
 }  // namespace
 
@@ -31,6 +40,24 @@ bool bias_in_quanta(std::int64_t bias_q16, BiasUnit unit, const BiasUnits& units
     if (unit == BiasUnit::texels)
         quanta = quanta * units.quanta_per_world / units.texels_per_world;
     return quanta.round_scaled(16, fixed::Rounding::half_even, quanta_q16);
+}
+
+LightScale light_scale(const raster::View& light, const hw::MachineSpec& spec,
+                       std::int64_t bias_quanta_q16) {
+    LightScale scale;
+    if (!raster::has_eye(light)) {
+        const BiasUnits u = bias_units(light, spec);
+        scale.quanta_q16 = word(u.quanta_per_world / u.texels_per_world, 16, 1, max_texel_quanta);
+        return scale;
+    }
+    const Rational far = q16(light.far_depth), range = far - q16(light.near_depth);
+    const Rational codes = Rational(std::int64_t{1} << spec.z_bits);
+    scale.reach_q8 = word(codes * far / range - Rational(spec.depth_offset()) -
+                              q16(bias_quanta_q16),
+                          8, -max_reach, max_reach);
+    scale.focal_q8 =
+        word(Rational(spec.half_px()) * q16(light.distance) / q16(light.extent), 8, 1, max_reach);
+    return scale;
 }
 
 }  // namespace umbra78::shadow

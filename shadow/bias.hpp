@@ -7,6 +7,7 @@
 #pragma once
 
 #include "raster/view.hpp"
+#include "shadow/normal_offset.hpp"
 
 #include <cstdint>
 
@@ -26,5 +27,9 @@ enum class BiasUnit : std::uint8_t { quanta, texels, world };
 // That bias in quanta, Q.16, rounded half even; false if it does not fit.
 bool bias_in_quanta(std::int64_t bias_q16, BiasUnit unit, const BiasUnits& units,
                     std::int64_t& quanta_q16);
+
+// The words of a light's measures, whose depths have the bias taken off.
+LightScale light_scale(const raster::View& light, const hw::MachineSpec& spec,
+                       std::int64_t bias_quanta_q16);
 
 }  // namespace umbra78::shadow

@@ -50,24 +50,4 @@ void walk_pixels(const hw::FrameStore<const Depth>& observer, const ShadowTest& 
     }
 }
 
-// The plane of a visible pixel whose results are `at`; `transform` takes words to results.
-template <class Depth, class Transform>
-ReceiverPlane plane_of(const hw::FrameStore<const Depth>& observer, const Transform& transform,
-                       const ShadowTest& test, const WalkedPixel& pixel, const hw::Point& at,
-                       std::int64_t limit) {
-    int beside_x = 0, beside_y = 0, below_x = 0, below_y = 0;
-    const std::uint32_t none = test.machine.background();
-    if (!nearer_neighbour(observer, none, pixel.x, pixel.y, 1, 0, beside_x, beside_y) ||
-        !nearer_neighbour(observer, none, pixel.x, pixel.y, 0, 1, below_x, below_y))
-        return {at, 0, 0, limit};
-    const auto result = [&](int px, int py) {
-        return transform(pixel_words(px, py, observer.depth[observer.address(px, py)], test));
-    };
-    return receiver_plane(at, result(beside_x, beside_y), result(below_x, below_y), limit);
-}
-
-constexpr bool has_plane(const ShadowTest& test) {
-    return hw::built(hw::Feature::surface_bias) && test.receiver == Receiver::plane;
-}
-
 }  // namespace umbra78::shadow

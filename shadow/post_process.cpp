@@ -1,7 +1,7 @@
 // The definition of the post-process: one pixel after the other, through the units themselves.
 #include "shadow/post_process.hpp"
 
-#include "shadow/pixel_walk.hpp"
+#include "shadow/pixel_darkness.hpp"
 
 #include <algorithm>
 
@@ -10,13 +10,13 @@ namespace umbra78::shadow {
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask, std::int64_t limit) {
+                               std::span<std::uint8_t> mask,
+                               const ReceiverWords& receiver) {
     const hw::MachineSpec& spec = test.machine;
     check(maps, spec, mask);
     const hw::FrameStore<const Depth>& observer = maps.observer;
     const hw::TransformUnit unit(spec, matrix, work.unit);
     const LightMap<Depth> map = light_map(maps.light, test);
-    const bool planes = has_plane(test);
     PostProcessCounts counts;
     const auto left_out = [&](int y) {
         std::fill_n(mask.data() + observer.address(0, y), spec.size_px(), mask_lit);
@@ -27,9 +27,7 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
         if (!at.visible && !work.background) return;
         ++counts.visible;
         const hw::Point p = unit(pixel_words(at.x, at.y, at.code, test));
-        ReceiverPlane plane;
-        if (planes && at.visible) plane = plane_of(observer, unit, test, at, p, limit);
-        const std::uint8_t dark = darkness(map, p, at.dither, at.taps, planes ? &plane : nullptr);
+        const std::uint8_t dark = pixel_darkness(map, observer, unit, test, at, p, receiver);
         if (dark == mask_lit || !at.visible) return;  // background: transformed for nothing
         ++counts.shadowed;
         mask[at.address] = dark;
@@ -39,9 +37,9 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
 
 template PostProcessCounts post_process(const DepthMaps<hw::Depth16>&, const hw::MatrixWords&,
                                         const ShadowTest&, const PostProcessWork&,
-                                        std::span<std::uint8_t>, std::int64_t);
+                                        std::span<std::uint8_t>, const ReceiverWords&);
 template PostProcessCounts post_process(const DepthMaps<hw::Depth32>&, const hw::MatrixWords&,
                                         const ShadowTest&, const PostProcessWork&,
-                                        std::span<std::uint8_t>, std::int64_t);
+                                        std::span<std::uint8_t>, const ReceiverWords&);
 
 }  // namespace umbra78::shadow

@@ -15,6 +15,7 @@
 
 #include "shadow/compare.hpp"
 #include "shadow/depth_maps.hpp"
+#include "shadow/normal_offset.hpp"
 
 #include <array>
 #include <cstdint>
@@ -58,11 +59,17 @@ struct PostProcessCounts {
     std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
 };
 
-// `limit` is the receiver's plane's, in quanta (shadow/receiver.hpp).
+// What a light's test reads of its view to follow a receiver's surface: the most that its plane
+// changes a depth, in quanta (shadow/receiver.hpp), and its measures (shadow/normal_offset.hpp).
+struct ReceiverWords {
+    std::int64_t limit = INT64_MAX;
+    LightScale scale{};
+};
+
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask, std::int64_t limit = INT64_MAX);
+                               std::span<std::uint8_t> mask, const ReceiverWords& receiver = {});
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, std::span<std::uint8_t> mask) {

@@ -18,6 +18,8 @@
 #include "hw/transform_unit.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace umbra78::shadow {
@@ -37,16 +39,32 @@ struct ReceiverPlane {
     }
 };
 
+// The neighbours' results less the pixel's; not known where a result or a step is out of range.
+struct NeighbourSteps {
+    bool known = false;
+    std::array<std::int64_t, 3> u{}, v{};
+};
+
+constexpr NeighbourSteps neighbour_steps(const hw::Point& at, const hw::Point& beside,
+                                         const hw::Point& below) {
+    for (const hw::Point* p : {&at, &beside, &below})
+        if (p->status != hw::DivideStatus::ok) return {};
+    const NeighbourSteps steps{true,
+                               {beside.x - at.x, beside.y - at.y, beside.z - at.z},
+                               {below.x - at.x, below.y - at.y, below.z - at.z}};
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!fixed::fits(steps.u[k], step_bits) || !fixed::fits(steps.v[k], step_bits)) return {};
+    return steps;
+}
+
 // The plane through three results; without one, level.
 constexpr ReceiverPlane receiver_plane(const hw::Point& at, const hw::Point& beside,
                                        const hw::Point& below, std::int64_t limit) {
     ReceiverPlane plane{at, 0, 0, limit};
-    for (const hw::Point* p : {&at, &beside, &below})
-        if (p->status != hw::DivideStatus::ok) return plane;
-    const std::int64_t ux = beside.x - at.x, uy = beside.y - at.y, uz = beside.z - at.z;
-    const std::int64_t vx = below.x - at.x, vy = below.y - at.y, vz = below.z - at.z;
-    for (const std::int64_t step : {ux, uy, uz, vx, vy, vz})
-        if (!fixed::fits(step, step_bits)) return plane;
+    const NeighbourSteps steps = neighbour_steps(at, beside, below);
+    if (!steps.known) return plane;
+    const auto [ux, uy, uz] = steps.u;
+    const auto [vx, vy, vz] = steps.v;
     const std::int64_t d = ux * vy - vx * uy;
     if (d == 0) return plane;
     const std::int64_t sign = d < 0 ? -1 : 1;

@@ -1,6 +1,6 @@
 #include "shadow/sectors.hpp"
 
-#include "shadow/pixel_walk.hpp"
+#include "shadow/pixel_darkness.hpp"
 
 namespace umbra78::shadow {
 
@@ -12,7 +12,7 @@ public:
         : observer_(maps.observer), test_(test),
           unit_(test.machine, maps.matrix[static_cast<std::size_t>(number)], number),
           map_(light_map(maps.map[static_cast<std::size_t>(number)], test)),
-          limit_(maps.limit[static_cast<std::size_t>(number)]) {
+          receiver_(maps.receiver[static_cast<std::size_t>(number)]) {
         check_light(map_.store, test.machine);
         map_.is_face = true;
     }
@@ -24,9 +24,7 @@ public:
     std::uint8_t dark(const WalkedPixel& at, const hw::Words& words,
                       const hw::Direction& d) const {
         const hw::Point p = unit_(words, d);
-        if (!has_plane(test_)) return darkness(map_, p, at.dither, at.taps);
-        const ReceiverPlane plane = plane_of(observer_, unit_, test_, at, p, limit_);
-        return darkness(map_, p, at.dither, at.taps, &plane);
+        return pixel_darkness(map_, observer_, unit_, test_, at, p, receiver_);
     }
 
 private:
@@ -34,7 +32,7 @@ private:
     const ShadowTest& test_;
     hw::SectorUnit unit_;
     LightMap<Depth> map_;
-    std::int64_t limit_;
+    ReceiverWords receiver_;
 };
 
 namespace {

@@ -23,13 +23,13 @@ namespace umbra78::shadow {
 enum class SectorTest : std::uint8_t { classified, every };
 
 // What the tests read: the observer's store, and for each sector its map, its matrix
-// (hw::load_sector) and the limit of its receiver's plane (post_process()).
+// (hw::load_sector) and what follows a receiver's surface (post_process()).
 template <class Depth>
 struct SectorMaps {
     hw::FrameStore<const Depth> observer;
     std::array<hw::FrameStore<const Depth>, hw::sector_count> map;
     std::array<hw::MatrixWords, hw::sector_count> matrix;
-    std::array<std::int64_t, hw::sector_count> limit;
+    std::array<ReceiverWords, hw::sector_count> receiver;
 };
 using SectorCounts = std::array<PostProcessCounts, hw::sector_count>;
 

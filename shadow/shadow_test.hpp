@@ -25,9 +25,9 @@ enum class TapPlaces : std::uint8_t { grid, jittered };
 // code like any other, or falls back to the nearest texel alone.
 enum class Background : std::uint8_t { blend, fall_back };
 
-// What of a pixel is compared: its own depth, or its plane's where the map is sampled
-// (shadow/receiver.hpp).
-enum class Receiver : std::uint8_t { point, plane };
+// What of a pixel is compared: its own depth; its plane's where the map is sampled
+// (shadow/receiver.hpp); or its point, moved along its normal (shadow/normal_offset.hpp).
+enum class Receiver : std::uint8_t { point, plane, normal };
 
 struct ShadowTest {
     hw::MachineSpec machine{};
@@ -38,6 +38,7 @@ struct ShadowTest {
     TapPlaces tap_places = TapPlaces::grid;
     hw::Dither dither{};
     Receiver receiver = Receiver::point;
+    std::int32_t normal_offset_q8 = 1 << 8;  // texels, of receiver = normal
 };
 
 // Whether a lookup reads a window of taps x taps texels.

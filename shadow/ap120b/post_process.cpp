@@ -99,7 +99,8 @@ PostProcessCounts array_post_process(const DepthMaps<Depth>& maps, const Matrix&
     const hw::MachineSpec& spec = test.machine;
     check(maps, spec, mask);
     fixed::require(!has_window(test.lookup), "AP-120B: it looks up one texel or four, no window");
-    fixed::require(test.receiver == Receiver::point, "AP-120B: it takes no receiver's plane");
+    fixed::require(test.receiver == Receiver::point,
+                   "AP-120B: it takes no receiver's plane or normal");
     fixed::require(spec.z_bits <= 16, "AP-120B: its host sends Z codes of up to 16 bits");
     const hw::FrameStore<const Depth>& observer = maps.observer;
     const LightMap<Depth> map = light_map(maps.light, test);

@@ -152,6 +152,8 @@ MemoryLedger replay(const hw::FrameStore<const Depth>& observer, const hw::Matri
     fixed::require(issue_cycles > 0, "memory replay: a visible pixel takes a clock or more");
     const hw::MachineSpec& spec = checked(settings).machine;
     check_observer(observer, spec);
+    fixed::require(settings.receiver != Receiver::normal,
+                   "memory replay: it moves no point along its normal");
     const hw::TransformUnit unit(spec, matrix);
     const bool dithered = !hw::silent(settings.dither, spec);
     fixed::require(window_in_range(settings), "lookup: a window has 2 to 5 taps a side");

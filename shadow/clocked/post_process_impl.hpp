@@ -19,7 +19,7 @@ ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const DepthMaps<Depth>& maps
       pixels_(maps.observer.depth.size()), since_issue_(plan_.slot_cycles) {
     check(maps, settings.machine, mask);
     fixed::require(settings.receiver == Receiver::point,
-                   "clocked post-process: it has no stage for the receiver's plane");
+                   "clocked post-process: it has no stage for the receiver's plane or normal");
     std::fill(mask_.begin(), mask_.end(), mask_lit);
     plan_.transform.add_stages(chain_);
     name_steps(StageKind::transform, 0);

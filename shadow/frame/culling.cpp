@@ -99,6 +99,7 @@ void for_corners(const WordBox& box, Visit&& visit) {
 // Whether a point of the box, dithered, may lie in the light's volume.
 bool may_reach(const WordBox& box, const FrameInputs& in, const hw::MatrixWords& matrix) {
     const Settings& s = in.settings;
+    if (s.receiver == Receiver::normal) return true;  // points are moved, nobody says how far
     if (!matrix.affine && s.machine.divide_order == hw::DivideOrder::round_first) return true;
     const hw::TransformUnit unit(s.machine, matrix);
     Extremes x, y, z;

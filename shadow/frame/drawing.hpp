@@ -105,6 +105,10 @@ inline std::int64_t plane_limit(const FrameInputs& in, std::size_t l) {
                : fixed::floor_shift(in.matrices.lights[l].clamp_quanta_q16, 16);
 }
 
+inline ReceiverWords receiver_words(const FrameInputs& in, std::size_t l) {
+    return {plane_limit(in, l), in.matrices.lights[l].scale};
+}
+
 // What stands on a scene's ground, in two parts: what comes before and after it.
 template <class Visit>
 void for_others_than_ground(const Scene& scene, Visit&& visit) {

@@ -185,6 +185,9 @@ bool has_pass(const FrameInputs& in, std::size_t light) {
 hw::Operations test_operations(const FrameInputs& in, std::size_t light) {
     hw::Operations o{};
     if (in.settings.receiver == Receiver::plane) o += cost::receiver_plane;
+    if (in.settings.receiver == Receiver::normal) o += cost::receiver_normal;
+    if (in.settings.receiver == Receiver::normal && raster::has_eye(in.scene.lights[light]))
+        o += cost::receiver_tilt;
     if (in.scene.source_of(light).sectored) o += cost::sector_pixel;
     return o;
 }

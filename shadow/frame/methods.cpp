@@ -44,7 +44,7 @@ void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t
         }
     }
     counted = post_process(frame.maps(l), matrix, in.settings, work_of(plan), light.mask,
-                           plane_limit(in, l));
+                           receiver_words(in, l));
 }
 
 // The schedule of the observer's visible pixels through the clocked stages.
@@ -178,6 +178,7 @@ constexpr Method post_process_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = built(Feature::surface_bias),
+    .takes_normal = built(Feature::surface_bias),
     .takes_sectors = built(Feature::lights),
     .in_shading = false,
     .uses_transform_unit = true,
@@ -218,6 +219,7 @@ constexpr Method correct_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_normal = false,
     .takes_sectors = false,
     .in_shading = true,
     .uses_transform_unit = true,
@@ -246,6 +248,7 @@ constexpr Method array_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_normal = false,
     .takes_sectors = false,
     .in_shading = false,
     .uses_transform_unit = false,
@@ -277,6 +280,7 @@ constexpr Method ground_method{
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = false,
+    .takes_normal = false,
     .takes_sectors = false,
     .in_shading = false,
     .uses_transform_unit = true,
@@ -341,8 +345,7 @@ bool method_can(const Settings& settings) {
     const Method* method = method_of(settings);
     return method != nullptr && settings.machine.z_bits <= method->max_z_bits &&
            window_in_range(settings) &&
-           (settings.receiver == Receiver::point ||
-            (method->takes_plane && !has_window(settings.lookup)));
+           method->takes(settings.receiver, settings.lookup);
 }
 
 }  // namespace umbra78::shadow

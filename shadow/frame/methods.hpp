@@ -59,7 +59,8 @@ struct Method {
     ExtraPlane plane;
     Darkness darkness;
     bool may_run_out;             // of FrameBuffers::method_memory; LightCounts::capacity says so
-    bool takes_plane;             // receiver = plane
+    bool takes_plane;             // receiver = plane, but for a window of taps
+    bool takes_normal;            // receiver = normal
     bool takes_sectors;           // lights that shine in all directions
     bool in_shading;              // points are tested before they are shaded: nothing to composite
     bool uses_transform_unit;     // so that the width of the coefficients changes bits and cycles
@@ -89,6 +90,10 @@ struct Method {
     // Whether the masks are made with the observer's view.
     bool tests_when_drawn() const { return stages16.draw != nullptr; }
     bool has_map() const { return depth_layers > 0; }
+    bool takes(Receiver receiver, Lookup lookup) const {
+        return receiver == Receiver::point || (receiver == Receiver::normal && takes_normal) ||
+               (receiver == Receiver::plane && takes_plane && !has_window(lookup));
+    }
 };
 
 std::span<const Method> methods();

@@ -96,6 +96,15 @@ bool same_window(const Settings& a, const Settings& b) {
            (a.tap_places == TapPlaces::grid || a.dither.seed == b.dither.seed);
 }
 
+bool same_receiver(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
+    const Settings &s = a.settings, &t = b.settings;
+    if (s.receiver != t.receiver) return false;
+    if (s.receiver == Receiver::plane) return plane_limit(a, l) == plane_limit(b, l);
+    return s.receiver == Receiver::point ||
+           (s.normal_offset_q8 == t.normal_offset_q8 &&
+            a.matrices.lights[l].scale == b.matrices.lights[l].scale);
+}
+
 // How a point is tested against light l, given both Z planes; the bias is in the matrix.
 bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
     if (!method_of(b).has_map()) return true;  // nothing is tested
@@ -108,8 +117,7 @@ bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
            (m.observer_to_light.affine || s.machine.divide_order == t.machine.divide_order) &&
            s.registration == t.registration && s.lookup == t.lookup &&
            (!bilinear || s.background == t.background) && same_window(s, t) &&
-           same_dither(s, t) && s.receiver == t.receiver &&
-           (s.receiver == Receiver::point || plane_limit(a, l) == plane_limit(b, l));
+           same_dither(s, t) && same_receiver(a, b, l);
 }
 
 bool same_filters(const Settings& a, const Settings& b, bool shadow_in_shading) {

@@ -13,11 +13,11 @@ namespace umbra78::shadow {
 template <class Depth>
 SectorMaps<Depth> sector_maps(const FrameInputs& in, std::size_t first,
                               const FrameBuffers<Depth>& frame) {
-    SectorMaps<Depth> maps{.observer = frame.observer, .map = {}, .matrix = {}, .limit = {}};
+    SectorMaps<Depth> maps{.observer = frame.observer, .map = {}, .matrix = {}, .receiver = {}};
     for (std::size_t k = 0; k < hw::sector_count; ++k) {
         maps.map[k] = frame.lights[first + k].map;
         maps.matrix[k] = in.matrices.lights[first + k].observer_to_light;
-        maps.limit[k] = plane_limit(in, first + k);
+        maps.receiver[k] = receiver_words(in, first + k);
     }
     return maps;
 }

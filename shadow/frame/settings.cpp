@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 2> tap_places_names{"grid", "jittered"};
 constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"};
 constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
 constexpr std::array<std::string_view, 3> map_depth_names{"first", "back", "midpoint"};
-constexpr std::array<std::string_view, 2> receiver_names{"point", "plane"};
+constexpr std::array<std::string_view, 3> receiver_names{"point", "plane", "normal"};
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
                                                        "normal"};
 constexpr std::array<std::string_view, 4> shading_names{"phong", "blinn", "lambert", "none"};
@@ -124,7 +124,11 @@ constexpr std::array table{
         "the most that follows a slope; 0: no limit"),
     choice<UMBRA78_ACCESS(receiver)>(
         "receiver", receiver_names,
-        "the depth compared: the pixel's, or its tangent plane's where the map is sampled"),
+        "the depth compared: the pixel's, its tangent plane's where the map is sampled, or that of "
+        "the pixel moved along its normal"),
+    decimal<UMBRA78_ACCESS(normal_offset_q8)>(
+        "normal_offset", "texels", 0, 16 << 8, 8,
+        "of receiver = normal: the way along the normal, in the light map's texels at the pixel"),
     choice<UMBRA78_ACCESS(dither.shape)>(
         "dither", dither_names,
         "noise on the light's X and Y: the sum of 0, 1, 2, 4 or 12 uniform bytes"),

@@ -177,17 +177,23 @@ TEST(Contract, TheRowFormRunsWhatItCovers) {
     EXPECT_DEATH(rows.run(wide), why);
 }
 
-// The receiver's plane is the plain post-process's alone.
+// The receiver's plane and normal are the plain post-process's alone.
 TEST(Contract, PlanesAreRefusedWhereNoNeighboursAreRead) {
-    const auto wants_plane = [](Inputs& i) { i.s.receiver = Receiver::plane; };
-    expect_trap(passes()[1], "the row form does not cover these settings", wants_plane);
-    expect_trap(passes()[2], "it takes no receiver's plane", wants_plane);
-    expect_trap(passes()[3], "it has no stage for the receiver's plane", wants_plane);
-    expect_trap(passes()[5], "has no neighbours for a plane", wants_plane);
-    Inputs inputs;
-    wants_plane(inputs);
-    passes()[0].run(inputs);
-    EXPECT_EQ(inputs.mask, std::vector<std::uint8_t>(256, mask_lit));
+    for (const Receiver receiver : {Receiver::plane, Receiver::normal}) {
+        const auto wants = [receiver](Inputs& i) { i.s.receiver = receiver; };
+        expect_trap(passes()[1], "the row form does not cover these settings", wants);
+        expect_trap(passes()[2], "it takes no receiver's plane or normal", wants);
+        expect_trap(passes()[3], "it has no stage for the receiver's plane or normal", wants);
+        expect_trap(passes()[5], "has no neighbours for a plane", wants);
+        Inputs inputs;
+        wants(inputs);
+        passes()[0].run(inputs);
+        EXPECT_EQ(inputs.mask, std::vector<std::uint8_t>(256, mask_lit));
+    }
+    Inputs replayed;
+    replayed.s.receiver = Receiver::normal;
+    EXPECT_DEATH(replay_memory(replayed.maps.observer, replayed.matrix, replayed.s, 3),
+                 "it moves no point along its normal");
 }
 
 TEST(Contract, TheAp120bsHostSendsSixteenBits) {

@@ -44,6 +44,18 @@ bool is_clocked(const LoadedScene& scene) {
     return method != nullptr && method->trace == shadow::Trace::clocked_post_process;
 }
 
+// The replay reads the texels about the pixel's own point.
+bool is_replayed(const LoadedScene& scene) {
+    return is_clocked(scene) && scene.settings.receiver != shadow::Receiver::normal;
+}
+
+std::string timed_pixels(const LoadedScene& scene, const RenderJob& job) {
+    if (scene.settings.receiver == shadow::Receiver::point) return waterfall(job);
+    return fmt::format("The clocked machine has no stage for the receiver's plane or normal: no "
+                       "pixel is timed{}. Give --set receiver=point.\n",
+                       is_replayed(scene) ? "" : ", and no memory replayed");
+}
+
 void one_profile(const Options& options, const LoadedScene& scene) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
@@ -61,7 +73,7 @@ void one_profile(const Options& options, const LoadedScene& scene) {
             json["frame_cycles"] = shadow::total(ledgers, true);
             for (const LightCost& l : lights) json["lights"].push_back(to_json(l));
         }
-        if (is_clocked(scene)) json["memory"] = to_json(job.replay_memory());
+        if (is_replayed(scene)) json["memory"] = to_json(job.replay_memory());
         json["settings"] = settings_json(scene.settings);
         fmt::print("{}", print(json));
         return;
@@ -77,8 +89,8 @@ void one_profile(const Options& options, const LoadedScene& scene) {
         fmt::print("{}\n", ledger.on_array
                                ? print(ledger.array, clock_ns)
                                : print_post_process(ledger.post_process, clock_ns));
-    if (is_clocked(scene))
-        fmt::print("{}\n{}\n", waterfall(job), print_memory(job.replay_memory()));
+    if (is_clocked(scene)) fmt::print("{}\n", timed_pixels(scene, job));
+    if (is_replayed(scene)) fmt::print("{}\n", print_memory(job.replay_memory()));
     print_claim(cost_claim(ledger));
 }
 

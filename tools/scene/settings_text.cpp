@@ -50,10 +50,11 @@ std::string why_not_built(const Settings& s, const Setting& setting) {
         return fmt::format("{} = {}", key, name(key, of.get(s)));
     };
     if (const shadow::Method* method = shadow::method_of(s)) {
-        const bool plane = s.receiver == shadow::Receiver::plane && !method->takes_plane;
-        return plane ? fmt::format("{} with {} has receiver = point alone", called("form"),
-                                   called("arithmetic"))
-                     : std::string(setting.meaning);
+        if (method->takes(s.receiver, s.lookup)) return std::string(setting.meaning);
+        const bool normal = method->takes(shadow::Receiver::normal, s.lookup);
+        return fmt::format("{} with {} has receiver = point{}",
+                           normal ? called("lookup") : called("form"), called("arithmetic"),
+                           normal ? " or normal" : " alone");
     }
     std::vector<std::string_view> lookups;
     for (const shadow::Method& m : shadow::methods())

@@ -32,8 +32,8 @@ WatchedFrame::WatchedFrame(const RenderJob& job)
     if (method.trace != shadow::Trace::clocked_post_process)
         throw SceneError(std::string(method.no_trace));
     if (job.settings().receiver != shadow::Receiver::point)
-        throw SceneError("the clocked machine has no stage for the receiver's plane; give --set "
-                         "receiver=point");
+        throw SceneError("the clocked machine has no stage for the receiver's plane or normal; "
+                         "give --set receiver=point");
     const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
     std::copy(drawn.begin(), drawn.end(), intensity_.begin());
     const std::span<const std::uint8_t> direct = job.bytes(Plane::direct);

@@ -6,6 +6,7 @@ from .figures import scene, view
 from .filters import darken, dequantize, shadow_chains
 from .noise import taps_of_pixel
 from .notation import fnv, half_up, to_bytes
+from .receiver import Scale, moved, normal, scale_words
 from .samples import leaf_corners
 from .settings import Settings, table
 from .shadow_test import LightMap, pixel_words
@@ -99,6 +100,22 @@ def windows():
         yield f"{' '.join(map(str, four))} at pixel ({x}, {y})"
 
 
+def normals():
+    world, places = scene("floor"), []
+    for name, s in (("left", Settings()), ("lamp", Settings("coefficient_bits 24"))):
+        light = view(name, world)
+        bias = light.bias_quanta(192 << 16, "quanta", s)
+        scale = Scale(scale_words(light, s, bias), 7)
+        point, u, v = (14764, -9664, -17672), (20, 0, 120), (-4, 126, 40)
+        yield ("quanta_a_texel = " + str(scale.quanta) if name == "left" else
+               f"reach = {scale.reach} and focal = {scale.focal}")
+        if name == "lamp":
+            yield f"scale = {scale.at(point)[0]}, tilt = {', '.join(map(str, scale.at(point)[1:]))}"
+        a, b, n, length = normal(point, u, v, scale)
+        yield (f"u' = ({words(a)}), v' = ({words(b)}), n' = ({words(n)}), length = {length}")
+        yield f"({words(point)}) goes to ({words(moved(point, u, v, 1, 256, scale))})"
+
+
 def composites():
     yield (f"direct {darken(194, 118, 255, 218)}; whole {darken(194, 194, 255, 218)}. "
            f"With density 256: {darken(194, 118, 255, 256)} and {darken(194, 194, 255, 256)}.")
@@ -141,7 +158,8 @@ def placed():
 
 def check(text):
     """How many examples there are, and those that the text lacks."""
-    found = [*hashes(text), *biases(), *round_first(), *edges(), *windows(), *composites(),
+    found = [*hashes(text), *biases(), *round_first(), *edges(), *windows(), *normals(),
+             *composites(),
              *perspective_block(), *placed()]
     text = re.sub(r"\s+", " ", text)
     return len(found), [example for example in found if example not in text]

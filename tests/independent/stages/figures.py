@@ -8,6 +8,7 @@ from .filters import composite, dequantize, low_pass, ramp
 from .ground import ellipse, ellipse_patches, ground_masks
 from .noise import dither_words, noise_bits
 from .notation import half_up
+from .receiver import Scale, scale_words
 from .sectors import SectorLights, sector_mask, sector_views
 from .settings import Settings, table
 from .shading import Shading
@@ -212,17 +213,19 @@ class Frame:
         if s.arithmetic == "ap120b":
             self.made["mask" + number] = array_mask(*given)
             return
-        self.made["mask" + number] = post_process(*given, self.limit(light))
+        self.made["mask" + number] = post_process(*given, self.receiver_words(light))
 
-    def limit(self, light):
-        clamp = self.lights[light].bias_quanta(self.s.bias_clamp, self.s.bias_unit, self.s)
-        return clamp >> 16 if self.s.bias_clamp else None
+    def receiver_words(self, light):
+        s, view = self.s, self.lights[light]
+        limit = view.bias_quanta(s.bias_clamp, s.bias_unit, s) >> 16 if s.bias_clamp else None
+        return limit, Scale(scale_words(view, s, view.bias_quanta(s.bias, s.bias_unit, s)),
+                            s.fraction_bits)
 
     def mask_of_sectors(self, views, first):
         numbers = range(first, first + 6)
         return sector_mask(self.observer_z, [self.of_light("light_z", k) for k in numbers],
                            SectorLights(self.observer, views, self.s), self.s,
-                           dither_words(self.s), [self.limit(k) for k in numbers])
+                           dither_words(self.s), [self.receiver_words(k) for k in numbers])
 
     def make_ground_masks(self):
         """The ground is the floor, the last patch."""

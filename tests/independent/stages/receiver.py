@@ -1,5 +1,8 @@
 """The receiver's own slope (section 24)."""
-from .notation import fits, half_up
+import math
+from fractions import Fraction
+
+from .notation import dot, fits, half_even, half_up
 
 
 def clamped(value, limit):
@@ -28,12 +31,88 @@ class Plane:
         return clamped(half_up(sum(moved), 8192), self.limit)
 
 
-class Receivers:
-    """The planes of an observer's pixels."""
+def between(low, value, high):
+    return min(max(value, low), high)
 
-    def __init__(self, codes, unit_at, limit, s):
-        """unit_at(px, py, code) are the unit's results, or None."""
-        self.codes, self.unit_at, self.limit, self.s = codes, unit_at, limit, s
+
+def word(value, bits):
+    return between(-2**(bits - 1), value, 2**(bits - 1) - 1)
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def scale_words(view, s, bias_quanta):
+    """A light's words for its texels and the Z that they are worth: one, or in perspective two.
+    bias_quanta is Q.16."""
+    depths = view.far - view.near
+    if not view.perspective:
+        quanta = (1 << s.z_bits) / depths / (s.half_px / view.extent)
+        return [between(1, half_even(quanta * 65536), 2**40 - 1)]
+    reach = (1 << s.z_bits) * view.far / depths - s.depth_offset - Fraction(bias_quanta, 1 << 16)
+    return [between(-2**53, half_even(256 * reach), 2**53),
+            between(1, half_even(256 * s.half_px * view.distance / view.extent), 2**53)]
+
+
+class Scale:
+    """A light's measures at a pixel, of these words."""
+
+    def __init__(self, words, fraction_bits):
+        self.f, self.perspective = fraction_bits, len(words) == 2
+        if self.perspective:
+            self.reach, self.focal = words
+        else:
+            self.quanta, = words
+
+    def at(self, point):
+        """scale, tilt_X, tilt_Y at a pixel's results."""
+        if not self.perspective:
+            return self.quanta, 0, 0
+        scale = half_up((self.reach - 256 * point[2]) << 16, self.focal)
+        tilts = [word(half_up(v << (24 - self.f), self.focal), 26) for v in point[:2]]
+        return between(1, scale, 2**40 - 1), *tilts
+
+
+def normal(point, u, v, light):
+    """u', v', n' and its length of two differences, or None."""
+    scale, *tilts = light.at(point)
+
+    def upright(step):
+        w = half_up(step[2] << 28, scale)
+        return [(a << (12 - light.f)) + half_up(t * w, 65536) for a, t in zip(step, tilts)] + [w]
+    if not all(fits(a, 31) for a in (*u, *v)):
+        return None
+    u, v = upright(u), upright(v)
+    n = cross(u, v)
+    if not all(fits(a, 26) for a in (*u, *v)) or not any(n):
+        return None
+    up = 24 - max(map(abs, n)).bit_length()
+    n = [a << up if up >= 0 else half_up(a, 1 << -up) for a in n]
+    return u, v, n, math.isqrt(dot(n, n))
+
+
+def moved(point, u, v, turn, offset, light):
+    """A pixel's results moved along its normal; u and v are the neighbours' less these."""
+    surface = normal(point, u, v, light)
+    if surface is None:
+        return point
+    scale, *tilts = light.at(point)
+    *_, n, length = surface
+    *aside, away = (half_up(-turn * 16 * offset * a, length) for a in n)
+    return [*(at + half_up((m << 16) - t * away, 1 << (28 - light.f))
+              for at, m, t in zip(point, aside, tilts)),
+            point[2] + half_up(scale * away, 1 << 28)]
+
+
+class Receivers:
+    """The surfaces of an observer's pixels."""
+
+    def __init__(self, codes, unit_at, words, s):
+        """unit_at(px, py, code) are the unit's results, or None; words are the limit of a plane
+        and the light's Scale."""
+        self.codes, self.unit_at, self.s = codes, unit_at, s
+        self.limit, self.light = words or (None, None)
 
     def neighbour(self, px, py, dx, dy):
         """The one of two opposite neighbours that is taken, or None."""
@@ -46,14 +125,17 @@ class Receivers:
                     found.append((abs(code - own), (x, y, code)))
         return min(found, key=lambda one: one[0])[1] if found else None
 
-    def plane(self, px, py, point):
-        """Of a pixel with these results; None if there is none."""
+    def compared(self, px, py, point):
+        """The results that are compared for a pixel's, and its plane or None."""
         beside, below = self.neighbour(px, py, 1, 0), self.neighbour(px, py, 0, 1)
-        if point is None or beside is None or below is None:
-            return None
+        if self.s.receiver == "point" or point is None or beside is None or below is None:
+            return point, None
         results = [self.unit_at(*beside), self.unit_at(*below)]
         if None in results:
-            return None
+            return point, None
         u, v = ([a - b for a, b in zip(result, point)] for result in results)
+        if self.s.receiver == "normal":
+            turn = (beside[0] - px) * (below[1] - py)
+            return moved(point, u, v, turn, self.s.normal_offset, self.light), None
         slopes = gradient(u, v)
-        return slopes and Plane(point, slopes, self.limit)
+        return point, slopes and Plane(point, slopes, self.limit)

@@ -82,21 +82,20 @@ class FaceMap(LightMap):
         return super().darkness([*moved, point[2]], (0, 0), noise, plane)
 
 
-def sector_mask(observer_z, maps, lights, s, dither, limits):
-    """`limits` are those of the receiver's plane, by sector, None for none."""
+def sector_mask(observer_z, maps, lights, s, dither, words):
+    """`words` are what Receivers takes of each sector."""
     faces, mask, noise = [FaceMap(codes, s) for codes in maps], [0] * len(observer_z), tap_bytes(s)
     for p, code in enumerate(observer_z):
         px, py = p % s.size_px, p // s.size_px
-        words = pixel_words(px, py, code, s)
-        sector = lights.sector(words) if code != s.background_code else None
+        pixel = pixel_words(px, py, code, s)
+        sector = lights.sector(pixel) if code != s.background_code else None
         if sector is None:
             continue
-        point = lights.point(sector, words)
-        plane = None
-        if s.receiver == "plane":
-            def unit_at(x, y, z, k=sector):
-                return lights.point(k, pixel_words(x, y, z, s))
-            plane = Receivers(observer_z, unit_at, limits[sector], s).plane(px, py, point)
+
+        def unit_at(x, y, z, k=sector):
+            return lights.point(k, pixel_words(x, y, z, s))
+        point, plane = Receivers(observer_z, unit_at, words[sector], s).compared(
+            px, py, unit_at(px, py, code))
         mask[p] = faces[sector].darkness(point, dither[p] if dither else (0, 0),
                                          noise[p] if noise else None, plane)
     return mask

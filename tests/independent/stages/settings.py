@@ -5,7 +5,7 @@ from fractions import Fraction
 from .notation import ROUNDINGS, half_even
 
 FRACTION = {"ambient": 8, "density": 8, "dither_size": 8, "bias": 16,  # others are whole
-            "bias_slope": 8, "bias_clamp": 16}
+            "bias_slope": 8, "bias_clamp": 16, "normal_offset": 8}
 HW = pathlib.Path(__file__).parent / "../../../hw"
 
 

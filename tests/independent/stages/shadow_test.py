@@ -77,19 +77,18 @@ class LightMap:
         return 255 * self.nearest(x, y, code, plane)
 
 
-def post_process(observer_z, light_z, matrix, s, dither, limit=None):
-    """`limit` is the receiver's plane's, None for none."""
+def post_process(observer_z, light_z, matrix, s, dither, words=None):
+    """`words` are what Receivers takes of the light."""
     unit, light_map, mask = ScreenUnit(matrix, s), LightMap(light_z, s), [0] * len(observer_z)
     noise = tap_bytes(s)
 
     def unit_at(px, py, code):
         return unit(*pixel_words(px, py, code, s))
-    planes = Receivers(observer_z, unit_at, limit, s)
+    receivers = Receivers(observer_z, unit_at, words, s)
     for p, code in enumerate(observer_z):
         if code != s.background_code:
             px, py = p % s.size_px, p // s.size_px
-            point = unit_at(px, py, code)
-            plane = planes.plane(px, py, point) if s.receiver == "plane" else None
+            point, plane = receivers.compared(px, py, unit_at(px, py, code))
             mask[p] = light_map.darkness(point, dither[p] if dither else (0, 0),
                                          noise[p] if noise else None, plane)
     return mask

@@ -7,7 +7,7 @@ from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
 from .ground import Ground, ShadowView, ellipse, ellipse_patches
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits, taps_of_pixel
-from .receiver import Plane, Receivers, gradient
+from .receiver import Plane, Receivers, Scale, gradient, moved
 from .samples import leaf_corners, triangle_depth, z_code
 from .settings import Settings
 from .shading import Shading, Toward, at_leaf, corner_normals, unit14
@@ -189,7 +189,7 @@ def plain_shading(ambient, material):
     shade = Shading.__new__(Shading)
     diffuse, specular, shade.shininess = material
     shade.ambient, shade.diffuse, shade.specular = ambient, (diffuse,), (specular,)
-    shade.source_levels = [(256,)]
+    shade.source_levels, shade.rule = [(256,)], "phong"
     return shade
 
 
@@ -313,6 +313,12 @@ def bias(w):
                 codes[16 * y + x] = code
         found = Receivers(codes, None, None, s).neighbour(px, py, dx, dy)
         return found[:2] if found else ["none"]
+    if kind == "normal":
+        fraction_bits = int(w.pop(0))
+        count, numbers = 1 + (w[0] == "lamp"), [int(v) for v in w if v != "lamp"]
+        c, way, *places = numbers[count:]
+        light, (at, *others) = Scale(numbers[:count], fraction_bits), triples(places)
+        return moved(at, *([b - a for a, b in zip(at, p)] for p in others), way, c, light)
     z_bits, *codes = take(w, len(w))
     layers = Layers(Settings(xy_bits=4, z_bits=z_bits))
     for code in codes:

@@ -1,7 +1,7 @@
 // Vectors of the bias that follows the surface: a caster's slope, its moved code, the midpoint.
 #include "raster/draw.hpp"
 #include "shadow/midpoint.hpp"
-#include "shadow/receiver.hpp"
+#include "shadow/normal_offset.hpp"
 #include "tests/shadow/frame/vectors.hpp"
 
 #include <algorithm>
@@ -128,6 +128,43 @@ void add_planes(Inputs& in, Lines& lines) {
     }
 }
 
+// Points moved along normals: near ones and far ones, lights at infinity and lamps, slivers, and
+// what is not moved.
+void add_normals(Inputs& in, Lines& lines) {
+    for (int k = 0; k < 96; ++k) {
+        const int fraction = k % 5 == 4 ? 12 : static_cast<int>(in.between(0, 11));
+        const int bits = k % 8 == 7 ? 31 : static_cast<int>(in.between(3, 18));
+        shadow::LightScale light;
+        Line line;
+        line << "normal" << fraction;
+        if (k % 2 == 0) {
+            light.quanta_q16 = k % 10 == 0 ? shadow::max_texel_quanta >> in.between(0, 40)
+                                           : in.between(1, 1 << 26);
+            line << light.quanta_q16;
+        } else {
+            light.focal_q8 = in.between(1, 1 << in.between(1, 30));
+            light.reach_q8 = in.between(-1000, std::int64_t{1} << in.between(16, 40));
+            line << "lamp" << light.reach_q8 << light.focal_q8;
+        }
+        const std::int64_t offset = in.between(0, 16 << 8), turn = k % 3 == 0 ? -1 : 1;
+        const hw::Point at{in.word(18), in.word(18), in.word(17), hw::DivideStatus::ok};
+        const auto near = [&] {
+            return hw::Point{at.x + in.word(bits), at.y + in.word(bits), at.z + in.word(bits),
+                             hw::DivideStatus::ok};
+        };
+        const hw::Point beside = near();
+        hw::Point below = near();
+        if (k % 16 == 1) below = beside;
+        if (k % 16 == 2) below.z += std::int64_t{1} << 30;
+        line << offset << turn;
+        for (const hw::Point& p : {at, beside, below}) line << p.x << p.y << p.z;
+        const hw::Point moved = shadow::moved_along_normal(at, beside, below,
+                                                           static_cast<int>(turn), offset, light,
+                                                           fraction);
+        lines.push_back((line << "->" << moved.x << moved.y << moved.z).text());
+    }
+}
+
 // A pixel and the two beside it in one direction; -1 for background.
 void add_neighbours(Inputs& in, Lines& lines) {
     for (int k = 0; k < 32; ++k) {
@@ -169,6 +206,7 @@ TEST(Vectors, Bias) {
     add_midpoints(in, lines);
     add_planes(in, lines);
     add_neighbours(in, lines);
+    add_normals(in, lines);
     check_vectors("bias",
                   {"Section 24.",
                    "offset factor limit a (x y z) b c -> slope offset",
@@ -177,7 +215,9 @@ TEST(Vectors, Bias) {
                    "plane limit, results (X Y Z) of a pixel and of its neighbours in X and in Y,",
                    "twice the place -> slope_X slope_Y change, both slopes 0 without a plane",
                    "neighbour px py, direction, codes before, of and after the pixel, -1 for",
-                   "background -> the neighbour that is taken, with xy_bits 4"},
+                   "background -> the neighbour that is taken, with xy_bits 4",
+                   "normal fraction_bits, quanta_a_texel or \"lamp\" reach focal, c, way, results",
+                   "of a pixel and its neighbours -> the results, moved"},
                   lines);
 }
 

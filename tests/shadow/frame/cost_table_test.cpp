@@ -107,6 +107,8 @@ TEST(CostTable, SurfaceBias) {
     expect_row(row("sample, second depth kept", cost::second_sample));
     expect_row(row("texel, midpoint", cost::midpoint_texel));
     expect_row(row("visible pixel, its plane", cost::receiver_plane));
+    expect_row(row("visible pixel, moved along its normal", cost::receiver_normal));
+    expect_row(row("the same, in a light's perspective, besides", cost::receiver_tilt));
 }
 
 TEST(CostTable, Sectors) {

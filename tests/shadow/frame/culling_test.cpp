@@ -91,6 +91,20 @@ TEST(Culling, TheDepthMarginAtTheLightsEdge) {
     }
 }
 
+// Two texels along the normal carry a receiver that lies outside the light's picture into it.
+TEST(Culling, LeavesOutNoTestOfPointsThatAreMoved) {
+    Sweep sweep;
+    for (std::int32_t z = -40; z <= 40; z += 5) {
+        PlannedScene p = depth_against_the_lights_edge(-2 * unit, z);
+        p.settings.receiver = Receiver::normal;
+        p.settings.normal_offset_q8 = 2 << 8;
+        sweep.draw(p);
+    }
+    sweep.print("moved along the normal");
+    EXPECT_EQ(sweep.dark, sweep.frames);
+    EXPECT_EQ(sweep.left_out, 0);
+}
+
 // Observer and light look the same way, and the light's picture begins beside the receiver, `gap`
 // of the observer's eighth pixels away. The caster is too near to be seen.
 PlannedScene receiver_beside_the_light(int gap, bool above) {

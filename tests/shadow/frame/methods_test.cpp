@@ -54,10 +54,12 @@ TEST(Methods, TheSettingsChooseARow) {
         EXPECT_FALSE(method_can(s)) << m.name;
         EXPECT_FALSE(can_be_built(s)) << m.name;
         s.machine.z_bits = m.max_z_bits;
-        s.receiver = Receiver::plane;
         for (const Lookup lookup : m.lookups) {
             s.lookup = lookup;
+            s.receiver = Receiver::plane;
             EXPECT_EQ(method_can(s), m.takes_plane && !has_window(lookup)) << m.name;
+            s.receiver = Receiver::normal;
+            EXPECT_EQ(method_can(s), m.takes_normal) << m.name;
         }
     }
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",

@@ -258,6 +258,12 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.settings.bias_q16 = 2 << 16;
         p.settings.bias_clamp_q16 = 400 << 16;
     }
+    {
+        PlannedScene& p = add("receivers' normals", 4);
+        add_floor(p);
+        p.settings.receiver = Receiver::normal;
+        p.settings.bias_q16 = 2 << 16;
+    }
     add_grounds(all);
     return all;
 }

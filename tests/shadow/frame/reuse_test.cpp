@@ -199,6 +199,18 @@ TEST(Reuse, WhatIsNotReadMayChange) {
 
 // --- scene and views ----------------------------------------------------------------------------
 
+// The offset along the normal, and what a texel is worth in Z, change the mask alone.
+TEST(Reuse, TheNormalsOffsetIsTheMasks) {
+    const PlannedScene base = test::planned_scene("receivers' normals");
+    EXPECT_EQ(draw_over(base, base), "LDOMP");
+    PlannedScene changed = base;
+    changed.settings.normal_offset_q8 /= 2;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
+    changed = base;
+    changed.settings.bias_clamp_q16 = 1 << 16;  // of a plane
+    EXPECT_EQ(draw_over(base, changed), "LDOMP");
+}
+
 TEST(Reuse, TheLightMoves) {
     for (const char* name : {"figure 6", "point light", "floor"}) {
         const PlannedScene base = test::planned_scene(name);

@@ -36,8 +36,8 @@ static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
               !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
                   A, A, A, A>);
 auto members(const Settings& s) {
-    const auto& [machine, registration, lookup, background, taps, tap_places, dither, receiver] =
-        static_cast<const ShadowTest&>(s);
+    const auto& [machine, registration, lookup, background, taps, tap_places, dither, receiver,
+                 normal_offset_q8] = static_cast<const ShadowTest&>(s);
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                  max_accumulator_bits, product_rounding, transform_rounding, coefficient_rounding,
                  depth_rounding, divide_order] = machine;
@@ -51,7 +51,7 @@ auto members(const Settings& s) {
                            s.dice_levels, s.facing, s.sampling,
                            registration, lookup, background, taps, tap_places, s.bias_q16,
                            s.bias_unit, s.map_depth, s.bias_slope_q8, s.bias_clamp_q16, receiver,
-                           shape, size_q8, seed, s.dequantize_passes,
+                           normal_offset_q8, shape, size_q8, seed, s.dequantize_passes,
                            s.low_pass_passes, s.ambient_q8, s.shading, s.composite, s.density_q8,
                            s.form,
                            clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
@@ -151,6 +151,7 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"bias_unit", 0},       {"dither", 0},
         {"map_depth", 0},       {"bias_slope", 0},
         {"bias_clamp", 0},      {"receiver", 0},
+        {"normal_offset", 256},
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
         {"ambient", 77},        {"shading", 0},
@@ -217,6 +218,7 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("map_depth", "midpoint", MapDepth::midpoint));
     all.push_back(named("receiver", "point", Receiver::point));
     all.push_back(named("receiver", "plane", Receiver::plane));
+    all.push_back(named("receiver", "normal", Receiver::normal));
     all.push_back(named("dither", "none", hw::DitherShape::none));
     all.push_back(named("dither", "uniform", hw::DitherShape::uniform));
     all.push_back(named("dither", "triangular", hw::DitherShape::triangular));
@@ -332,7 +334,8 @@ TEST(SettingsTable, RangesAreThese) {
         {"map_depth", {0, 2}},
         {"bias_slope", {0, 64 << 8}},
         {"bias_clamp", {0, one << 40}},
-        {"receiver", {0, 1}},
+        {"receiver", {0, 2}},
+        {"normal_offset", {0, 16 << 8}},
         {"dither", {0, 4}},
         {"dither_size", {0, 1024}},
         {"dither_seed", {1, 2147483647}},
@@ -431,14 +434,16 @@ TEST(SettingsTable, GapsAreRefused) {
     s.machine.z_bits = 16;
     s.form = Form::correct;
     EXPECT_FALSE(can_be_built(s));
-    s = {};
-    s.receiver = Receiver::plane;
-    EXPECT_TRUE(can_be_built(s));
-    s.arithmetic = Arithmetic::ap120b;
-    EXPECT_FALSE(can_be_built(s)) << "no pass over neighbours";
-    s.arithmetic = Arithmetic::fixed;
-    s.form = Form::correct;
-    EXPECT_FALSE(can_be_built(s)) << "no finished store";
+    for (const Receiver receiver : {Receiver::plane, Receiver::normal}) {
+        s = {};
+        s.receiver = receiver;
+        EXPECT_TRUE(can_be_built(s));
+        s.arithmetic = Arithmetic::ap120b;
+        EXPECT_FALSE(can_be_built(s)) << "no pass over neighbours";
+        s.arithmetic = Arithmetic::fixed;
+        s.form = Form::correct;
+        EXPECT_FALSE(can_be_built(s)) << "no finished store";
+    }
 }
 
 }  // namespace

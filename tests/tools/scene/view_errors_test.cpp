@@ -132,6 +132,18 @@ TEST(ViewErrors, SetOverrides) {
          "machine cannot be built with (form = post_process with arithmetic = ap120b has lookup = "
          "nearest, bilinear)",
          {"arithmetic=ap120b"}},
+        {ball_and_light + "[settings]\nlookup = \"percentage\"\n",
+         "--set receiver=plane: 'receiver' in [settings] is plane, which the machine cannot be "
+         "built with (lookup = percentage with arithmetic = fixed has receiver = point or normal)",
+         {"receiver=plane"}},
+        {ball_and_light + "[settings]\nform = \"correct\"\n",
+         "--set receiver=normal: 'receiver' in [settings] is normal, which the machine cannot be "
+         "built with (form = correct with arithmetic = fixed has receiver = point alone)",
+         {"receiver=normal"}},
+        {ball_and_light + "[settings]\nreceiver = \"normal\"\n",
+         "--set arithmetic=ap120b: 'arithmetic' in [settings] is ap120b, which the machine cannot "
+         "be built with (form = post_process with arithmetic = ap120b has receiver = point alone)",
+         {"arithmetic=ap120b"}},
         {ball_and_light + "[settings]\ntaps = 6\n",
          "a.toml:7: 'taps' in [settings] is 6; its range is 2 .. 5"},
         {ball_and_light,

@@ -53,7 +53,8 @@ std::vector<Case> forms(const Request& search, bool quick) {
         {{"bias_slope", {"0.5", "1"}}},
         {{"bias_slope", {"1"}}, {"bias_clamp", {"512"}}},
         {{"receiver", {"plane"}}},
-        {{"receiver", {"plane"}}, {"bias_clamp", {"512"}}}};
+        {{"receiver", {"plane"}}, {"bias_clamp", {"512"}}},
+        {{"receiver", {"normal"}}, {"normal_offset", {"0.5", "0.75", "1", "2"}}}};
     std::vector<Case> cases;
     for (std::vector<GridKey> form : all) {
         std::vector<GridKey> axes{{"lookup", {"nearest", "bilinear"}},

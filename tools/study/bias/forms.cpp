@@ -16,7 +16,9 @@ std::string form_of(const Row& row) {
     std::string name;
     if (row.text("map_depth") != "first") name = row.text("map_depth") + " map";
     if (row.number("bias_slope") > 0) name = "slope x " + row.text("bias_slope");
-    if (row.text("receiver") != "point") name = "receiver's plane";
+    if (row.text("receiver") == "plane") name = "receiver's plane";
+    if (row.text("receiver") == "normal")
+        name = "normal offset x " + row.text("normal_offset");
     if (name.empty()) return "constant";
     if (row.number("bias_clamp") > 0)
         name += fmt::format(", at most {} quanta", row.text("bias_clamp"));
