@@ -28,10 +28,7 @@ template <class Depth>
 void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t l,
                        FrameBuffers<Depth>& frame, FrameCounts& counts) {
     if constexpr (built(Feature::lights)) {
-        if (in.scene.source_of(l).sectored) {
-            cast_sectors(in, plan, l, frame, counts);
-            return;
-        }
+        if (in.scene.source_of(l).sectored) return cast_sectors(in, plan, l, frame, counts);
     }
     LightBuffers<Depth>& light = frame.lights[l];
     const hw::MatrixWords& matrix = in.matrices.lights[l].observer_to_light;
