@@ -51,7 +51,8 @@ TEST_F(Program, CyclesOfARampHaveItsPhase) {
     std::uint64_t cycles = 0;
     const Ran ran = run("cycles " + scenes + "figures.toml" + small + "--set light.ramp=4 --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
-    for (const json& phase : parse_json(ran.out)["ledger"]["phases"]) {
+    const json report = parse_json(ran.out);
+    for (const json& phase : report["ledger"]["phases"]) {
         names.push_back(phase["phase"]);
         if (phase["phase"] == "darkness") cycles = phase["store"].get<std::uint64_t>();
     }
