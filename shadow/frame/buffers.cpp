@@ -5,26 +5,6 @@
 namespace umbra78::shadow {
 namespace {
 
-// Carves aligned pieces off one span; with no memory it only adds up.
-class Carver {
-public:
-    explicit Carver(std::byte* base) : base_(base) {}
-
-    template <class T>
-    std::span<T> take(std::size_t count) {
-        static_assert(alignof(T) <= frame_alignment);
-        used_ = (used_ + frame_alignment - 1) / frame_alignment * frame_alignment;
-        T* at = base_ == nullptr ? nullptr : reinterpret_cast<T*>(base_ + used_);
-        used_ += count * sizeof(T);
-        return {at, at == nullptr ? 0 : count};
-    }
-    std::size_t used() const { return used_; }
-
-private:
-    std::byte* base_;
-    std::size_t used_ = 0;
-};
-
 template <class Depth>
 FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::size_t patches,
                             const FrameShape& shape) {
@@ -75,7 +55,7 @@ FrameShape::FrameShape(const Scene& scene, int layers)
 template <class Depth>
 std::size_t frame_bytes(const hw::MachineSpec& spec, std::size_t patches,
                         const FrameShape& shape) {
-    Carver carver(nullptr);
+    Carver carver(static_cast<std::byte*>(nullptr));
     lay_out<Depth>(carver, spec, patches, shape);
     return carver.used();
 }

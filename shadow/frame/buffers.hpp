@@ -7,6 +7,7 @@
 
 #include "hw/frame_store.hpp"
 #include "raster/draw.hpp"
+#include "shadow/carver.hpp"
 #include "shadow/filters/dequantize.hpp"
 #include "shadow/frame/inputs.hpp"
 #include "shadow/post_process.hpp"
@@ -61,9 +62,6 @@ struct FrameBuffers {
         return {.observer = observer, .light = lights[l].map};
     }
 };
-
-// The alignment of a frame's memory, in bytes: each buffer starts a line of the host's cache.
-inline constexpr std::size_t frame_alignment = 64;
 
 // How many planes of each kind a scene needs: by default those of one light, in grey.
 struct FrameShape {
