@@ -1,10 +1,10 @@
 // Crow's third class: shadow volumes (Crow 1977, "Shadow Algorithms for Computer Graphics").
 //
 // Behind each facet, away from the light, is a volume in shadow. Its sides are quadrangles that
-// begin at an edge and never end: {a + s (b - a) - t L, 0 <= s <= 1, t > 0}. Between the eye and the
-// point that a pixel shows, each side that is crossed leads into a volume or out of one; the sum is
-// the number of surfaces between the point and the light. The facets themselves are the volumes'
-// caps, and since the point is visible none of them lies before it.
+// begin at an edge and never end: {a + s (b - a) - t L, 0 <= s <= 1, t > 0}. Between the eye and
+// the point that a pixel shows, each side that is crossed leads into a volume or out of one; the
+// sum is the number of surfaces between the point and the light. The facets themselves are the
+// volumes' caps, and since the point is visible none of them lies before it.
 //
 // Sides of facets that share an edge cancel. What remains of an edge is its multiplicity
 //

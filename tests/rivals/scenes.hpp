@@ -58,7 +58,7 @@ struct Polygons {
     }
 };
 
-// Polygons on their way through the rivals. It is not copied, since it owns what its spans refer to.
+// Polygons on their way through the rivals. It owns what its spans refer to, so it is not copied.
 class Scene {
 public:
     explicit Scene(const Polygons& p)
