@@ -1,5 +1,6 @@
-// The facets of a scene: its mesh, and its patches diced (hw/MACHINE.md, section 22) into 2^levels x
-// 2^levels cells of two facets each, all alike, so that patches that share an edge share its words.
+// The facets of a scene: its mesh, and its patches diced (hw/MACHINE.md, section 22) into 2^levels
+// x 2^levels cells of two facets each, all alike, so that patches that share an edge share its
+// words.
 #pragma once
 
 #include "raster/dice.hpp"

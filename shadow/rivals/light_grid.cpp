@@ -1,7 +1,6 @@
 #include "shadow/rivals/light_grid.hpp"
 
 #include <bit>
-#include <cstdlib>
 
 namespace umbra78::shadow::rivals {
 namespace {
@@ -11,6 +10,8 @@ using fixed::Rounding;
 inline constexpr int face_fraction = 20;
 inline constexpr std::int64_t face_one = std::int64_t{1} << face_fraction;
 
+std::int32_t magnitude(std::int32_t v) { return v < 0 ? -v : v; }
+
 Sum floor_divide(const Sum& num, const Sum& den) {  // den > 0
     const auto [quotient, rest] = Sum::divide(num, den);
     return rest.is_negative() ? quotient - 1 : quotient;
@@ -19,7 +20,7 @@ Sum floor_divide(const Sum& num, const Sum& den) {  // den > 0
 }  // namespace
 
 LightPicture::LightPicture(const Centre& light) : light_(light), axis_{0, 1, 2} {
-    const std::array size{std::abs(light.x), std::abs(light.y), std::abs(light.z)};
+    const std::array size{magnitude(light.x), magnitude(light.y), magnitude(light.z)};
     if (size[1] > size[0] && size[1] >= size[2]) axis_ = {1, 2, 0};
     if (size[2] > size[0] && size[2] > size[1]) axis_ = {2, 0, 1};
 }

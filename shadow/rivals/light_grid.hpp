@@ -1,10 +1,10 @@
 // Which facets may lie between a light and a point: a grid over the light's picture of the scene.
 //
-// The picture of a direction L is a shear: the axis of its largest component is dropped (ties x, y,
-// z), say x, and u = y Lx - x Ly, v = z Lx - x Lz, exact. A light at a place has the six faces of a
-// cube around it, and on a face u and v are quotients by the depth, rounded down to 20 bits. A facet
-// is in every cell that its box touches, edges included, so a point's cell has every facet that can
-// be before it; some that are not, too. What the grid leaves out changes no answer.
+// The picture of a direction L is a shear: the axis of its largest component is dropped (ties x,
+// y, z), say x, and u = y Lx - x Ly, v = z Lx - x Lz, exact. A light at a place has the six faces
+// of a cube around it, and on a face u and v are quotients by the depth, rounded down to 20 bits.
+// A facet is in every cell that its box touches, edges included, so a point's cell has every facet
+// that can be before it; some that are not, too. What the grid leaves out changes no answer.
 #pragma once
 
 #include "shadow/rivals/pencil.hpp"
@@ -47,9 +47,10 @@ private:
 
 class LightGrid {
 public:
-    // False if the memory is too small; `needed` is how many bytes it takes. `cells` is the side of
-    // a face's grid, a power of two; 0 chooses one by the number of facets.
-    bool build(const Setting& setting, int cells, std::span<std::byte> memory, std::size_t& needed);
+    // False if the memory is too small; `needed` is how many bytes it takes. `cells` is the side
+    // of a face's grid, a power of two; 0 chooses one by the number of facets.
+    bool build(const Setting& setting, int cells, std::span<std::byte> memory,
+               std::size_t& needed);
 
     std::span<const std::uint32_t> facets_at(const LightPlace& p) const;
     const LightPicture& picture() const { return picture_; }

@@ -1,7 +1,6 @@
 #include "shadow/rivals/mesh.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace umbra78::shadow::rivals {
 namespace {
@@ -24,6 +23,10 @@ Pieces lay_out(Carver& carver, const MeshSize& size) {
             carver.take<Edge>(3 * size.facets),
             carver.take<HalfEdge>(3 * size.facets),
             carver.take<std::array<std::uint32_t, 3>>(size.facets)};
+}
+
+Triangle from(std::uint32_t first, const std::array<std::uint32_t, 3>& v) {
+    return {{first + v[0], first + v[1], first + v[2]}};
 }
 
 }  // namespace
@@ -61,7 +64,7 @@ void MeshBuilder::add(const raster::Mesh& mesh, const ToWords& to) {
     for (const raster::World& v : mesh.vertices)
         in_range_ = to.point(v, vertices_[used_.vertices++]) && in_range_;
     for (const raster::Facet& f : mesh.facets)
-        facets_[used_.facets++] = {{first + f.vertex[0], first + f.vertex[1], first + f.vertex[2]}};
+        facets_[used_.facets++] = from(first, f.vertex);
 }
 
 void MeshBuilder::add(std::span<const Point> vertices, std::span<const Triangle> facets) {
@@ -69,7 +72,7 @@ void MeshBuilder::add(std::span<const Point> vertices, std::span<const Triangle>
     const auto first = static_cast<std::uint32_t>(used_.vertices);
     for (const Point& p : vertices) vertices_[used_.vertices++] = p;
     for (const Triangle& f : facets)
-        facets_[used_.facets++] = {{first + f.vertex[0], first + f.vertex[1], first + f.vertex[2]}};
+        facets_[used_.facets++] = from(first, f.vertex);
 }
 
 // Vertices of equal words become one, in the order of their words. A facet that has lost a vertex,
@@ -107,7 +110,10 @@ std::size_t MeshBuilder::join_sides() {
     }
     const auto half_edges = half_edges_.first(sides);
     std::sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tie(a.low, a.high, a.facet, a.side) < std::tie(b.low, b.high, b.facet, b.side);
+        return a.low != b.low       ? a.low < b.low
+               : a.high != b.high   ? a.high < b.high
+               : a.facet != b.facet ? a.facet < b.facet
+                                    : a.side < b.side;
     });
     std::size_t edges = 0;
     for (std::uint32_t h = 0; h < sides; ++h) {

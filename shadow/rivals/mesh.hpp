@@ -1,9 +1,9 @@
 // The rivals' polygons: triangles with shared vertices in rival words, and their edges.
 //
-// Vertices of equal words are one. Facets are two-sided shells and their winding does not matter. A
-// facet with two equal vertices is left out; one whose three vertices lie on a line has no inside,
-// is never seen and casts nothing. Facets that share an edge see one plane through it, made from its lower vertex to its
-// higher one, so that no point falls between them.
+// Vertices of equal words are one. Facets are two-sided shells and their winding does not matter.
+// A facet with two equal vertices is left out; one whose three vertices lie on a line has no
+// inside, is never seen and casts nothing. Facets that share an edge see one plane through it,
+// made from its lower vertex to its higher one, so that no point falls between them.
 //
 // Memory is the caller's. Whoever adds more than was planned gets a status and the counts needed.
 #pragma once

@@ -1,13 +1,14 @@
 // Pencils: the planes through a centre of projection and every edge of a mesh.
 //
-// The eye's pencil says what covers a pixel, and a light's says what shadows a point: one question,
-// asked from two places. On the ray from the centre o through a point P the facet F lies before P if
+// The eye's pencil says what covers a pixel, and a light's says what shadows a point: one
+// question, asked from two places. On the ray from the centre o through a point P the facet F lies
+// before P if
 //
 //   the three planes through o and F's edges have F's inside and P on one side, and
 //   F's own plane parts o from P.
 //
-// `side` is the side of a facet's plane on which the centre lies: 1 or -1, and 0 where the facet is
-// seen edge-on, or has no inside; then it hides nothing.
+// `side` is the side of a facet's plane on which the centre lies: 1 or -1, and 0 where the facet
+// is seen edge-on, or has no inside; then it hides nothing.
 #pragma once
 
 #include "shadow/rivals/mesh.hpp"

@@ -11,7 +11,8 @@ Run run_of(const ScreenLine& line, int wanted, const Space& space, int row) {
     };
     const int first = sign_at(0), last = sign_at(size - 1);
     if (first == last) return first == wanted ? Run{0, size} : Run{0, 0};
-    // One change, at px = -at_middle / x. A centre on the line has the sign of x, as those after it.
+    // One change, at px = -at_middle / x. A centre on the line has the sign of x, as those after
+    // it.
     const auto [quotient, rest] = Sum::divide(-at_middle, line.x);
     const bool up = !rest.is_zero() && at_middle.is_negative() != line.x.is_negative();
     const std::int64_t change = quotient.to_int64() + (up ? 1 : 0);

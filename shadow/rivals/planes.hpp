@@ -1,10 +1,10 @@
 // The one predicate of the rivals: on which side of a plane is the point that a pixel shows?
 //
-// Every question here is of this kind. Does a facet cover a pixel: three planes through the eye and
-// an edge. Which of two facets is nearer: the plane of one, at the point of the other. Does a facet
-// shadow a point: three planes through the light and an edge, and the facet's own plane. With
-// homogeneous words (x, y, z, w), the eye E, the pixel p = (px, py, 0, 1), and a plane's value
-// pi . v = n . (x, y, z) + d w, the point of the facet with plane pi that the pixel shows is
+// Every question here is of this kind. Does a facet cover a pixel: three planes through the eye
+// and an edge. Which of two facets is nearer: the plane of one, at the point of the other. Does a
+// facet shadow a point: three planes through the light and an edge, and the facet's own plane.
+// With homogeneous words (x, y, z, w), the eye E, the pixel p = (px, py, 0, 1), and a plane's
+// value pi . v = n . (x, y, z) + d w, the point of the facet with plane pi that the pixel shows is
 //
 //   P = (pi . p) E - (pi . E) p
 //
@@ -13,8 +13,8 @@
 // no point ever rounded.
 //
 // Ties. The pixel's centre is moved to (px + e, py + e^2), e arbitrarily small (simulation of
-// simplicity, Edelsbrunner & Muecke 1990, on the query alone). A value of 0 so takes the sign of x,
-// then of y; if all three are 0 the planes are one, and the sign is 0, which no test takes for
+// simplicity, Edelsbrunner & Muecke 1990, on the query alone). A value of 0 so takes the sign of
+// x, then of y; if all three are 0 the planes are one, and the sign is 0, which no test takes for
 // before or inside.
 //
 // Bits. A vertex word has 22, so an edge 23, a normal 47 and n . a 71, each and its sign. pi . E
@@ -89,7 +89,9 @@ struct SeenPlane {
     Sum c, e;
 };
 
-inline SeenPlane seen(const Plane& p, const Centre& eye) { return {p.n[0], p.n[1], p.d, p.at(eye)}; }
+inline SeenPlane seen(const Plane& p, const Centre& eye) {
+    return {p.n[0], p.n[1], p.d, p.at(eye)};
+}
 
 // A line on the screen, with a sign on each side.
 struct ScreenLine {

@@ -2,14 +2,14 @@
 //
 // The axes are those of the observer's view before it is projected: X right, Y down, Z away, from
 // the view's target. A word is the exact coordinate in units of 2^-f pixel (at the target, for a
-// view in perspective), rounded half even, once for each vertex. So the words are the polygons, and
-// everything after them is exact: a rival without a wrong pixel can exist.
+// view in perspective), rounded half even, once for each vertex. So the words are the polygons,
+// and everything after them is exact: a rival without a wrong pixel can exist.
 //
 //   word = round_half_even(axis . (p - target) half_px 2^f / extent)     |word| <= 2^22
 //
 // f is the largest of 1 .. 22 - n (n bits of X and Y) with which every vertex, the eye and the
-// lights at a place fit. So a distant lamp or a wide floor lowers f and is not refused, until half a
-// pixel is too fine; then the status says so. From f = 1 on a pixel's centre is a word.
+// lights at a place fit. So a distant lamp or a wide floor lowers f and is not refused, until half
+// a pixel is too fine; then the status says so. From f = 1 on a pixel's centre is a word.
 //
 // The eye and each light are centres of projection: a place (w = 1), or, infinitely far, the
 // direction toward it (w = 0), a unit vector in Q1.21.

@@ -1,5 +1,5 @@
-// The facet that each pixel shows: of those that cover its centre, the nearest to the eye, exactly.
-// Of facets at one place, in one plane, the one of the least number.
+// The facet that each pixel shows: of those that cover its centre, the nearest to the eye,
+// exactly. Of facets at one place, in one plane, the one of the least number.
 #pragma once
 
 #include "shadow/rivals/pencil.hpp"

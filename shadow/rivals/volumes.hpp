@@ -10,10 +10,10 @@
 //
 //   m = sum over its facets of (1 from low to high vertex, else -1) (side of the light)
 //
-// 0 within a surface that faces the light on both sides of the edge, 1 or -1 at a border, 2 or -2 at
-// the contour of a closed mesh, and whatever a non-manifold edge has. Winding need not be
-// consistent (general form: Kim, Kim & Turk 2008). The sum does not depend on the order in which the
-// sides are met, so it is taken a side at a time.
+// 0 within a surface that faces the light on both sides of the edge, 1 or -1 at a border, 2 or -2
+// at the contour of a closed mesh, and whatever a non-manifold edge has. Winding need not be
+// consistent (general form: Kim, Kim & Turk 2008). The sum does not depend on the order in which
+// the sides are met, so it is taken a side at a time.
 //
 // If the eye is in a volume the count begins there. Of the volumes on whose border the eye lies
 // exactly, that is decided for each pixel, as for a point of its ray just before the eye.

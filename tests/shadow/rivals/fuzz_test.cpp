@@ -1,5 +1,5 @@
 // Random scenes of coinciding words: the rivals equal brute force in every pixel.
-#include "tests/rivals/scenes.hpp"
+#include "tests/shadow/rivals/scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,8 +65,8 @@ TEST(RivalFuzz, VolumesCountTheSurfaces) {
         for (std::size_t at = 0; at < mask.size(); ++at) {
             const std::uint32_t on = scene.shown()[at];
             if (on == nothing_seen || s.attached(on)) continue;
-            ASSERT_EQ(surfaces[at], static_cast<std::int32_t>(surfaces_before(
-                                        s, on, static_cast<int>(at % 8), static_cast<int>(at / 8))))
+            const auto column = static_cast<int>(at % 8), row = static_cast<int>(at / 8);
+            ASSERT_EQ(surfaces[at], static_cast<int>(surfaces_before(s, on, column, row)))
                 << "seed " << seed << ", pixel " << at;
         }
     }

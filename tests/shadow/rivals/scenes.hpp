@@ -122,7 +122,8 @@ inline Polygons random_polygons(std::uint32_t seed) {
     std::vector<Point> shared(static_cast<std::size_t>(in(3, 8)));
     for (Point& v : shared) v = point();
     const auto vertex = [&] {
-        return in(0, 3) == 0 ? point() : shared[static_cast<std::size_t>(in(0, 7)) % shared.size()];
+        const auto n = static_cast<std::size_t>(in(0, 7)) % shared.size();
+        return in(0, 3) == 0 ? point() : shared[n];
     };
     for (int n = in(1, 8); n > 0; --n) {
         if (in(0, 7) == 0) {
