@@ -1,5 +1,5 @@
-// The named scenes: right answers counted by hand, volumes equal to brute force, and all of it equal
-// to tests/goldens/rivals.txt, which tests/independent/rivals.py reads by itself.
+// The named scenes: right answers counted by hand, volumes equal to brute force, and all of it
+// equal to tests/goldens/rivals.txt, which tests/independent/rivals.py reads by itself.
 #include "tests/shadow/rivals/named_scenes.hpp"
 #include "tests/support/paths.hpp"
 
