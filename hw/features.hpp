@@ -33,7 +33,8 @@
     X(z32, "more than 16 bits of Z") \
     X(lights, "several lights, lights with area, colour") \
     X(surface_bias, "map_depth other than first, bias_slope, and receiver other than point") \
-    X(ground, "form = ground and blob")
+    X(ground, "form = ground and blob") \
+    X(rivals, "the rivals of the depth map: form = brute, volumes (needs dicing)")
 
 namespace umbra78::hw {
 
@@ -59,5 +60,6 @@ constexpr bool built(Feature f) {
     return (std::uint32_t{UMBRA78_LEFT_OUT} >> static_cast<unsigned>(f) & 1u) == 0;
 }
 static_assert(built(Feature::triangles) || !built(Feature::dicing));
+static_assert(built(Feature::dicing) || !built(Feature::rivals));
 
 }  // namespace umbra78::hw

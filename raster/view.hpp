@@ -36,6 +36,7 @@ enum class Projection : std::uint8_t { orthographic, perspective };
 
 struct ViewAxes {
     Axis right, up, back;
+    constexpr bool operator==(const ViewAxes&) const = default;
 };
 
 // Angles in degrees, Q15.16. Products of sines are rounded half even to Q2.30.

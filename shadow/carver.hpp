@@ -26,6 +26,12 @@ public:
         if (base_ == nullptr || used_ > size_) return {};
         return {reinterpret_cast<T*>(base_ + at), count};
     }
+    // What is left, from an aligned byte on.
+    std::span<std::byte> rest() {
+        used_ = (used_ + frame_alignment - 1) / frame_alignment * frame_alignment;
+        if (base_ == nullptr || used_ >= size_) return {};
+        return {base_ + used_, size_ - used_};
+    }
     std::size_t used() const { return used_; }
     bool fits() const { return used_ <= size_; }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "hw/frame_store.hpp"
+#include "hw/operations.hpp"
 #include "raster/draw.hpp"
 #include "shadow/carver.hpp"
 #include "shadow/filters/dequantize.hpp"
@@ -87,7 +88,7 @@ template <class Depth>
 FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
                           std::size_t patches, const FrameShape& shape = {});
 
-// Whether a method had room for what it keeps, and how many things it needed room for.
+// Whether a method had room for what it keeps, and how many bytes it needs.
 struct Capacity {
     bool enough = true;
     std::uint64_t needed = 0;
@@ -105,6 +106,7 @@ struct LightCounts {
     std::uint64_t chain_steps = 0;   // that dequantizing followed
     FilteredLines filtered_lines;
     Capacity capacity;
+    hw::Operations method_once, method_frame;  // of a rival: for a scene and light; for each frame
 };
 
 struct FrameCounts {

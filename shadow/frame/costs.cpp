@@ -48,20 +48,22 @@ public:
           cycles_(cycles), pixels_(std::uint64_t{1} << (2 * in_.settings.machine.xy_bits)) {}
 
     void map() {
-        if (leaves_out(Omission::same_light_map) || leaves_out(Omission::light_map)) return;
+        if (leaves_out(Omission::same_light_map) || leaves_out(Omission::light_map) ||
+            !method_of(in_).draws_light())
+            return;
         // Drawn with the masks.
-        if (!ledger_.has_map && (leaves_out(Omission::same_mask) ||
+        if (ledger_.on_ground && (leaves_out(Omission::same_mask) ||
                                  leaves_out(Omission::post_process)))
             return;
         const bool inside = plan_.leaves_out(Omission::outside_surfaces);
         StageCycles copied;
         copied.store = 2 * pixels_;
+        const bool shades = !ledger_.on_ground && !leaves_out(Omission::light_shading);
         add(FrameStage::light, leaves_out(Omission::light_drawing)
                                    ? copied
                                    : view(drawn_, in_.matrices.lights[l_].world_to_light,
                                           inside ? ledger_.light_inside : ledger_.light_counts,
-                                          ledger_.has_map && !leaves_out(Omission::light_shading),
-                                          plan_,
+                                          shades, plan_,
                                           map_operations(in_, inside ? ledger_.light_inside
                                                                      : ledger_.light_counts)));
     }
@@ -140,6 +142,12 @@ StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan,
     c.noise += (when_drawn ? tested : read) * word(tap_noise_cycles(window_of(s), s.timing));
     c.store = tested * word(LookupPipeline(s).fetch_cycles()) +
               (when_drawn ? 0 : read + pixels + empty);
+    return c;
+}
+
+StageCycles counted_cycles(const DrawnFrame& drawn, const FramePlan&, std::size_t light) {
+    StageCycles c;
+    c.operations = drawn.ledgers[light].test.units;
     return c;
 }
 

@@ -60,6 +60,8 @@ std::uint64_t total(const FrameCycles& cycles);
 
 // The transform, lookup and compare of the post-process and of the correct form.
 StageCycles post_process_cycles(const DrawnFrame& drawn, const FramePlan& plan, std::size_t light);
+// Of a method whose ledger has it as operations.
+StageCycles counted_cycles(const DrawnFrame& drawn, const FramePlan& plan, std::size_t light);
 
 struct Saving {
     std::uint64_t cycles = 0;

@@ -159,13 +159,14 @@ Reach cull(const FrameInputs& in, std::size_t light) {
         }
     };
     const bool has_map = method_of(in).has_map();
-    const bool is_blob = method_of(in).form == Form::blob;  // which has a place of its own
+    // A blob has a place of its own; a rival's light has no view.
+    const bool all_cast = method_of(in).form == Form::blob || !method_of(in).draws_light();
     reach.into_light = !has_map;  // no pixel is moved there
     const auto count_all = [&](const auto& surfaces, auto light_view, auto observer_view,
                                std::size_t ground) {
         Footprint of_light{}, of_observer{};
         for (std::size_t k = 0; k < surfaces.size(); ++k)
-            count(k == ground || is_blob || light_view.seen(surfaces[k], of_light),
+            count(k == ground || all_cast || light_view.seen(surfaces[k], of_light),
                   observer_view.seen(surfaces[k], of_observer), of_observer);
     };
     count_all(in.scene.patches, PatchView(in, m.world_to_light),

@@ -120,7 +120,7 @@ void for_others_than_ground(const Scene& scene, Visit&& visit) {
 // the blobs.
 template <class Visit>
 void for_casters(const FrameInputs& in, Visit&& visit) {
-    if (method_of(in).has_map()) {
+    if (!method_of(in).on_ground()) {
         visit(in.scene.surfaces());
         return;
     }

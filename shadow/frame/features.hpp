@@ -20,7 +20,7 @@ inline std::string_view missing_feature(const Scene& scene, const Settings& s) {
     bool ramps = false;
     for (std::size_t k = 0; k < scene.sources_used(); ++k)
         ramps = ramps || scene.source(k).ramp_px > 0;
-    const bool diced = s.surface == raster::PatchForm::diced;
+    const bool diced = s.surface == raster::PatchForm::diced || is_rival(s.form);
     const struct {
         hw::Feature feature;
         bool asked_for;
@@ -33,6 +33,7 @@ inline std::string_view missing_feature(const Scene& scene, const Settings& s) {
                {dither, s.dither.shape != hw::DitherShape::none},
                {correct_form, s.form == Form::correct},
                {ground, is_on_ground(s.form)},
+               {rivals, is_rival(s.form)},
                {ap120b, s.arithmetic == Arithmetic::ap120b},
                {filters, s.dequantize_passes > 0 || s.low_pass_passes > 0},
                {z32, s.machine.z_bits > 16},

@@ -242,7 +242,7 @@ void draw_observer(const FrameInputs& in, const FramePlan& plan, FrameBuffers<De
     require_fits(in, frame);
     draw_picture(in, plan, frame, counts);
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
-        if (plan.leaves_out(Omission::light_drawing, l) &&
+        if (method_of(in).has_map() && plan.leaves_out(Omission::light_drawing, l) &&
             !plan.leaves_out(Omission::same_light_map, l))
             std::copy(frame.observer.depth.begin(), frame.observer.depth.end(),
                       frame.lights[l].map.depth.begin());

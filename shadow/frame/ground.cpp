@@ -66,12 +66,6 @@ void cost_on_ground(const FrameInputs& in, std::size_t, const FrameBuffers<Depth
     ledger.test = {o, method_of(in).units(o, in.settings)};
 }
 
-StageCycles ground_cycles(const DrawnFrame& drawn, const FramePlan&, std::size_t light) {
-    StageCycles c;
-    c.operations = drawn.ledgers[light].test.units;
-    return c;
-}
-
 #define UMBRA78_GROUND(Depth)                                                                    \
     template void draw_on_ground(const FrameInputs&, const FramePlan&, FrameBuffers<Depth>&,     \
                                  FrameCounts&);                                                  \

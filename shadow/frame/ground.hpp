@@ -16,6 +16,5 @@ void count_on_ground(const FrameInputs&, const FramePlan&, std::size_t light, Fr
 template <class Depth>
 void cost_on_ground(const FrameInputs&, std::size_t light, const FrameBuffers<Depth>&,
                     const FrameCounts&, FrameLedger&);
-StageCycles ground_cycles(const DrawnFrame&, const FramePlan&, std::size_t light);
 
 }  // namespace umbra78::shadow

@@ -6,6 +6,7 @@
 #include "shadow/filters/ramp.hpp"
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
+#include "shadow/frame/rivals.hpp"
 
 namespace umbra78::shadow {
 namespace {
@@ -113,12 +114,21 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
         if (method.in_shading && scene.source(s).is_graded()) return area_when_drawn;
         if (scene.source(s).sectored && !method.takes_sectors) return sectors_refused;
     }
-    const bool on_ground = !method.has_map();
+    const bool on_ground = method.on_ground();
     if (on_ground && (scene.streamed || scene.ground >= scene.patches.size())) return no_ground;
     out.object = format_of(scene, settings.form);
     if (raster::load_view(scene.observer, spec, out.object, out.world_to_observer) !=
         hw::LoadStatus::ok)
         return observer_matrix;
+    if constexpr (hw::built(hw::Feature::rivals)) {
+        if (is_rival(settings.form)) {  // which has no light's view
+            for (std::size_t l = 0; l < scene.light_count; ++l) {
+                out.lights[l] = {};
+                out.lights[l].world_to_light = out.world_to_observer;
+            }
+            return check_rival(scene, settings);
+        }
+    }
     for (std::size_t l = 0; l < scene.light_count; ++l) {
         const FrameStatus status =
             on_ground ? load_on_ground(scene, l, settings, out)

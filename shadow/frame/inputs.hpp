@@ -87,6 +87,8 @@ enum class FrameStatus : std::uint8_t {
     sectors_refused,  // a source has sectors, and the method has none
     no_ground,        // the form casts shadows on a ground, and the scene names none
     light_in_ground,  // a light lies in the plane of the ground
+    rival_of_stream,     // a rival holds its polygons
+    too_wide_for_rival,  // what lies too far from the target for a rival's words
 };
 
 // A light's matrices, rounded to the unit's words. Of a form without a map the first is what its

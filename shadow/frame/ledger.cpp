@@ -249,7 +249,9 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
     const Method& method = method_of(in);
     FrameLedger l;
     l.has_map = method.has_map();
-    l.light = drawing(in, in.matrices.lights[light].world_to_light, counts.lights[light].map,
+    l.on_ground = method.on_ground();
+    if (method.draws_light())
+        l.light = drawing(in, in.matrices.lights[light].world_to_light, counts.lights[light].map,
                       *frame.draw, false, casters_of(in, light), l.light_counts, l.light_inside);
     if (other != nullptr) {
         l.observer = other->observer;

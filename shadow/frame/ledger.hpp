@@ -81,7 +81,8 @@ struct FrameLedger {
     // The transformation: one of these three, whichever the method fills.
     PostProcessLedger post_process;
     bool on_array = false;
-    bool has_map = true;   // else `light` is the shadow's own drawing, and no pixel is transformed
+    bool has_map = true;
+    bool on_ground = false;  // then `light` is the shadow's own drawing, and no pixel is tested
     ArrayCost array;       // if on_array
     PhaseLedger test;      // of a method that is costed in operations
     PhaseLedger scene;     // once for a scene and apart from the frame; in no total

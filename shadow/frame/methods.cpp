@@ -7,6 +7,7 @@
 #include "shadow/frame/drawing.hpp"
 #include "shadow/frame/sector_stage.hpp"
 #include "shadow/frame/ground.hpp"
+#include "shadow/frame/rivals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -183,6 +184,7 @@ constexpr Method post_process_method{
     .no_trace = "",
     .no_plan_cost = no_cost,
     .load = nullptr,
+    .memory = nullptr,
     .units = fixed_units,
     .scene_cost = nullptr,
     .plan_cost = cost_of_plan,
@@ -224,6 +226,7 @@ constexpr Method correct_method{
     .no_trace = "the correct form has no post-process to watch; give --set form=post_process",
     .no_plan_cost = no_cost,
     .load = nullptr,
+    .memory = nullptr,
     .units = fixed_units,
     .scene_cost = nullptr,
     .plan_cost = cost_of_plan,
@@ -253,6 +256,7 @@ constexpr Method array_method{
     .no_trace = "only the fixed-point machine can be watched; give --set arithmetic=fixed",
     .no_plan_cost = "only the fixed-point machine has a plan; give --set arithmetic=fixed",
     .load = load_array,
+    .memory = nullptr,
     .units = array_units,
     .scene_cost = nullptr,
     .plan_cost = nullptr,
@@ -286,9 +290,10 @@ constexpr Method ground_method{
                 "--set form=post_process",
     .no_plan_cost = no_cost,
     .load = nullptr,
+    .memory = nullptr,
     .units = fixed_units,
     .scene_cost = nullptr,
-    .plan_cost = built(Feature::ledger) ? ground_cycles : nullptr,
+    .plan_cost = built(Feature::ledger) ? counted_cycles : nullptr,
     .stages16 = as_built(ground_stages<hw::Depth16>),
     .stages32 = as_built(ground_stages<hw::Depth32>)};
 
@@ -302,10 +307,27 @@ constexpr Method as_blobs(Method method) {
 }
 constexpr Method blob_method = as_blobs(ground_method);
 
+// A rival is a row of rival_rows; what it shares with a shadow on the ground is that it has no map.
+constexpr Method as_rival(Method method, const RivalRow& row) {
+    method.name = row.name;
+    method.meaning = row.meaning;
+    method.cannot = "curved surfaces are polygons, and no light has sectors";
+    method.form = row.form;
+    method.surfaces = Surfaces::facets;
+    method.may_run_out = true;
+    method.uses_transform_unit = false;
+    method.no_trace = "a rival of the depth map looks nothing up; give --set form=post_process";
+    method.memory = rival_bytes;
+    method.stages16 = as_built(rival_stages<hw::Depth16>);
+    method.stages32 = as_built(rival_stages<hw::Depth32>);
+    return method;
+}
+
 // The rows that are built.
 constexpr std::size_t rows_built =
     1 + (built(Feature::windows) ? 1 : 0) + (built(Feature::correct_form) ? 1 : 0) +
-    (built(Feature::ap120b) ? 1 : 0) + (built(Feature::ground) ? 2 : 0);
+    (built(Feature::ap120b) ? 1 : 0) + (built(Feature::ground) ? 2 : 0) +
+    (built(Feature::rivals) ? rival_rows.size() : 0);
 
 constexpr std::array<Method, rows_built> build_table() {
     std::array<Method, rows_built> rows{};
@@ -316,6 +338,8 @@ constexpr std::array<Method, rows_built> build_table() {
     if constexpr (built(Feature::ap120b)) rows[n++] = array_method;
     if constexpr (built(Feature::ground)) rows[n++] = ground_method;
     if constexpr (built(Feature::ground)) rows[n++] = blob_method;
+    if constexpr (built(Feature::rivals))
+        for (const RivalRow& row : rival_rows) rows[n++] = as_rival(ground_method, row);
     return rows;
 }
 constexpr std::array<Method, rows_built> table = build_table();

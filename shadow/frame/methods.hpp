@@ -70,6 +70,8 @@ struct Method {
 
     // Makes what it needs of the exact matrix from observer to light; null if it needs nothing.
     void (*load)(const hw::RationalMatrix&, const Settings&, LightMatrices&);
+    // Of FrameBuffers::method_memory: the bytes that it needs at least; null if none.
+    std::size_t (*memory)(const FrameInputs&);
     // Cycles of operations (drawing, filters) on the machine that the method runs on.
     hw::UnitCycles (*units)(const hw::Operations&, const Settings&);
     // Adds what it takes once for a scene, whatever the frames after it; null if nothing.
@@ -90,6 +92,9 @@ struct Method {
     // Whether the masks are made with the observer's view.
     bool tests_when_drawn() const { return stages16.draw != nullptr; }
     bool has_map() const { return depth_layers > 0; }
+    bool on_ground() const { return is_on_ground(form); }
+    // Whether something is drawn for each light: its map, or its shadow on the ground.
+    bool draws_light() const { return has_map() || on_ground(); }
     bool takes(Receiver receiver, Lookup lookup) const {
         return receiver == Receiver::point || (receiver == Receiver::normal && takes_normal) ||
                (receiver == Receiver::plane && takes_plane && !has_window(lookup));

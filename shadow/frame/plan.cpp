@@ -29,15 +29,18 @@ void plan_unit(const FrameInputs& now, FramePlan& plan) {
         plan.at(o) = d;
 }
 
+// Why a method without a map leaves out what only a map needs.
+Reason no_map_of(const Method& method) { return method.on_ground() ? shadow_drawn : no_map_kept; }
+
 void plan_pixels(const FrameInputs& now, FramePlan& plan) {
     const Settings& s = now.settings;
     const Method& method = method_of(now);
     for (const Omission o : {Omission::background_pixels, Omission::empty_lines})
-        plan.at(o) = !method.has_map()             ? left_out(shadow_drawn)
+        plan.at(o) = !method.has_map()             ? left_out(no_map_of(method))
                      : method.tests_when_drawn() ? needed(tested_when_drawn)
                                                  : left_out(nothing_there);
     if (!method.has_map()) {
-        plan.at(Omission::noise) = left_out(shadow_drawn);
+        plan.at(Omission::noise) = left_out(no_map_of(method));
         return;
     }
     plan.at(Omission::noise) = s.dither.shape == hw::DitherShape::none ? left_out(dither_off)
@@ -48,7 +51,7 @@ void plan_pixels(const FrameInputs& now, FramePlan& plan) {
 void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     const Method& method = method_of(now);
     const bool has_map = method.has_map();
-    plan.at(Omission::light_shading, l) = left_out(has_map ? depth_alone : shadow_drawn);
+    plan.at(Omission::light_shading, l) = left_out(has_map ? depth_alone : no_map_of(method));
     if (now.scene.streamed) {
         for (const Omission o :
              {Omission::light_map, Omission::light_drawing, Omission::post_process})
@@ -59,6 +62,13 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     plan.outside.light[l] = reach.outside_light;
     plan.outside.observer = reach.outside_observer;
     const std::uint64_t all = now.scene.surfaces().count();
+    if (!method.draws_light()) {
+        for (const Omission o : {Omission::light_map, Omission::light_drawing})
+            plan.at(o, l) = left_out(no_map_kept);
+        plan.at(Omission::post_process, l) =
+            reach.outside_observer == all ? left_out(nothing_visible) : needed(may_shadow);
+        return;
+    }
     const bool no_map = reach.outside_light == all - (has_map ? 0 : 1);  // the ground casts nothing
     const Reason nothing_cast = has_map ? no_caster : no_shadow_in_view;
     plan.at(Omission::light_map, l) = no_map ? left_out(nothing_cast) : needed(may_shadow);

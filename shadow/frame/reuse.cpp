@@ -105,9 +105,26 @@ bool same_receiver(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
             a.matrices.lights[l].scale == b.matrices.lights[l].scale);
 }
 
+bool same_place(const raster::View& a, const raster::View& b) {
+    return a.projection == b.projection && a.axes == b.axes && a.target == b.target &&
+           a.distance == b.distance;
+}
+
+// A rival's words come from the views themselves, and their fraction from all lights.
+bool same_rival(const FrameInputs& a, const FrameInputs& b) {
+    const auto lights = [](const FrameInputs& f) {
+        return std::span(f.scene.lights).first(f.scene.light_count);
+    };
+    return a.settings.dice_levels == b.settings.dice_levels &&
+           same_place(a.scene.observer, b.scene.observer) &&
+           a.scene.observer.extent == b.scene.observer.extent &&
+           std::ranges::equal(lights(a), lights(b), same_place);
+}
+
 // How a point is tested against light l, given both Z planes; the bias is in the matrix.
 bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
-    if (!method_of(b).has_map()) return true;  // nothing is tested
+    if (method_of(b).on_ground()) return true;  // nothing is tested
+    if (!method_of(b).has_map()) return same_rival(a, b);
     const Settings &s = a.settings, &t = b.settings;
     const LightMatrices &m = a.matrices.lights[l], &n = b.matrices.lights[l];
     const bool bilinear = s.lookup == Lookup::bilinear;

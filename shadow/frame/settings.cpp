@@ -30,7 +30,8 @@ constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "trian
                                                        "normal"};
 constexpr std::array<std::string_view, 4> shading_names{"phong", "blinn", "lambert", "none"};
 constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
-constexpr std::array<std::string_view, 4> form_names{"post_process", "correct", "ground", "blob"};
+constexpr std::array<std::string_view, 6> form_names{"post_process", "correct", "ground",
+                                                     "blob",         "brute",   "volumes"};
 constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
 constexpr std::array<std::string_view, 2> sector_test_names{"classified", "every"};
 constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};
@@ -155,7 +156,8 @@ constexpr std::array table{
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
         "test visible pixels once the picture is drawn, or points as they are shaded; or draw the "
-        "scene flat on its ground, or an ellipse beneath each object"),
+        "scene flat on its ground, or an ellipse beneath each object; or, exact on polygons, ask "
+        "every facet, or count the shadow volumes"),
     choice<UMBRA78_ACCESS(arithmetic)>(
         "arithmetic", arithmetic_names,
         "of the post-process: the transform unit's, or an FPS AP-120B's (Z to 16 bits)"),

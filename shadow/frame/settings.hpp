@@ -22,9 +22,11 @@ namespace umbra78::shadow {
 
 // How a pixel comes to be in shadow: two forms of the test against a depth map; or a shadow that is
 // drawn on a scene's ground and has no map (hw/MACHINE.md, section 26): the scene's, flat, or an
-// ellipse beneath each object.
-enum class Form : std::uint8_t { post_process, correct, ground, blob };
+// ellipse beneath each object; or a rival of the depth map, exact on the scene's polygons
+// (shadow/rivals/RIVALS.md).
+enum class Form : std::uint8_t { post_process, correct, ground, blob, brute, volumes };
 constexpr bool is_on_ground(Form form) { return form == Form::ground || form == Form::blob; }
+constexpr bool is_rival(Form form) { return form >= Form::brute; }
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.
 enum class Arithmetic : std::uint8_t { fixed, ap120b };
 
@@ -36,7 +38,7 @@ enum class MapDepth : std::uint8_t { first, back, midpoint };
 // dither) is the base class; the members here are what the other stages of a frame read.
 struct Settings : TimedTest {
     raster::PatchForm surface = raster::PatchForm::catmull;
-    std::int32_t dice_levels = 3;  // a diced patch has at most 2^levels cells a side
+    std::int32_t dice_levels = 3;  // a diced patch has at most 2^levels cells a side; a rival's has
     raster::Facing facing = raster::Facing::both;
     raster::Sampling sampling = raster::Sampling::centre;
     std::int64_t bias_q16 = 64 << 16;  // in bias_unit, Q.16
@@ -80,7 +82,7 @@ bool can_be_built(const Settings& settings);
 
 // Z codes a texel that are kept while the light's map is drawn; 0: the form has no map.
 constexpr int map_layers(const Settings& s) {
-    return is_on_ground(s.form) ? 0 : s.map_depth == MapDepth::midpoint ? 2 : 1;
+    return is_on_ground(s.form) || is_rival(s.form) ? 0 : s.map_depth == MapDepth::midpoint ? 2 : 1;
 }
 
 }  // namespace umbra78::shadow

@@ -8,11 +8,10 @@ struct Pieces {
     std::span<std::int8_t> eye_sides, light_sides;
 };
 
-Pieces lay_out(Carver& carver, const Mesh& mesh) {
-    return {carver.take<SeenPlane>(mesh.facets.size()), carver.take<SeenPlane>(mesh.edges.size()),
-            carver.take<SeenPlane>(mesh.edges.size()),
-            carver.take<std::int8_t>(mesh.facets.size()),
-            carver.take<std::int8_t>(mesh.facets.size())};
+Pieces lay_out(Carver& carver, std::size_t facets, std::size_t edges) {
+    return {carver.take<SeenPlane>(facets), carver.take<SeenPlane>(edges),
+            carver.take<SeenPlane>(edges), carver.take<std::int8_t>(facets),
+            carver.take<std::int8_t>(facets)};
 }
 
 void fill_edges(const Mesh& mesh, const Centre& centre, const Centre& eye,
@@ -26,16 +25,16 @@ void fill_edges(const Mesh& mesh, const Centre& centre, const Centre& eye,
 
 }  // namespace
 
-std::size_t setting_bytes(const Mesh& mesh) {
+std::size_t setting_bytes(std::size_t facets, std::size_t edges) {
     Carver carver(static_cast<std::byte*>(nullptr));
-    lay_out(carver, mesh);
+    lay_out(carver, facets, edges);
     return carver.used();
 }
 
 bool make_setting(const Space& space, const Mesh& mesh, const Centre& light,
                   std::span<std::byte> memory, Setting& out) {
     Carver carver(memory);
-    const Pieces p = lay_out(carver, mesh);
+    const Pieces p = lay_out(carver, mesh.facets.size(), mesh.edges.size());
     if (!carver.fits()) return false;
     const Centre& eye = space.eye();
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {

@@ -51,7 +51,7 @@ struct Setting {
     Run covered_run(std::size_t facet, int row) const;
 };
 
-std::size_t setting_bytes(const Mesh& mesh);
+std::size_t setting_bytes(std::size_t facets, std::size_t edges);
 // False if the memory is too small.
 bool make_setting(const Space& space, const Mesh& mesh, const Centre& light,
                   std::span<std::byte> memory, Setting& out);

@@ -89,6 +89,10 @@ void one_profile(const Options& options, const LoadedScene& scene) {
         fmt::print("{}\n", ledger.on_array
                                ? print(ledger.array, clock_ns)
                                : print_post_process(ledger.post_process, clock_ns));
+    if (const hw::UnitCycles& once = ledger.scene.units; once.side_by_side() > 0)
+        fmt::print("Once for the scene and the light, apart from the frame: {} cycles, {:.2f} ms.\n"
+                   "\n", once.side_by_side(),
+                   simulated_ms(once.side_by_side(), clock_ns));
     if (is_clocked(scene)) fmt::print("{}\n", timed_pixels(scene, job));
     if (is_replayed(scene)) fmt::print("{}\n", print_memory(job.replay_memory()));
     print_claim(cost_claim(ledger));

@@ -44,7 +44,7 @@ struct Planned {
     const shadow::FramePlan& plan() const { return job.plan(); }
     const shadow::FrameLedger& ledger() const { return ledgers.front(); }
     std::size_t lights() const { return ledgers.size(); }
-    bool has_map() const { return ledger().has_map; }
+    bool on_ground() const { return ledger().on_ground; }
     shadow::DrawnFrame drawn() const { return {job.inputs(), ledgers}; }
     shadow::Saving saving(Omission o) const { return shadow::saving(o, plan(), drawn()); }
     shadow::FrameCycles cycles() const { return cycles_of(plan(), drawn()); }
@@ -57,8 +57,8 @@ struct Decided {
     shadow::Decision decision;
     std::vector<std::string> lights{};  // empty: for the frame, or for each of its lights
 
-    std::string name(bool has_map) const {
-        const std::string_view of = name_of(omission, has_map);
+    std::string name(bool on_ground) const {
+        const std::string_view of = name_of(omission, !on_ground);
         return lights.empty() ? std::string(of)
                               : fmt::format("{}, {}", of, fmt::join(lights, " "));
     }
@@ -149,7 +149,7 @@ void print_stages(const Planned& planned) {
     for (std::size_t k = 0; k < shadow::stage_count; ++k) {
         const shadow::StageCycles& c = cycles[k];
         if (static_cast<FrameStage>(k) == FrameStage::join && c.total() == 0) continue;
-        fmt::print("{:<20}", name_of(static_cast<FrameStage>(k), planned.has_map()));
+        fmt::print("{:<20}", name_of(static_cast<FrameStage>(k), !planned.on_ground()));
         for (const std::uint64_t n : {c.transform, c.divide, c.noise, c.store})
             fmt::print("{:>12}", n == 0 ? "-" : grouped(n));
         const std::uint64_t operations = c.operations.one_after_the_other();
@@ -163,7 +163,7 @@ void print_rows(const Options& options, const Planned& planned) {
     const shadow::OutsideSurfaces& outside = planned.plan().outside;
     const char* const light = planned.lights() == 1 ? "light's" : "first light's";
     const std::string of_light =
-        planned.has_map() ? fmt::format("outside the {} view", light)
+        !planned.on_ground() ? fmt::format("outside the {} view", light)
                           : fmt::format("with no {} shadow in the picture", light);
     fmt::print("{}: {} x {} pixels, {} of them visible; {} {}, {} {}, {} outside the observer's\n",
                options.scene, size, size, grouped(planned.ledger().visible),
@@ -179,13 +179,13 @@ void print_rows(const Options& options, const Planned& planned) {
     for_omissions(planned, true, [&](const Decided& d, bool first) {
         const shadow::Saving s = planned.saving(d.omission);
         starred |= s.after_drawing;
-        fmt::print("{:<29} {:>12}{}  {}\n", d.name(planned.has_map()),
+        fmt::print("{:<29} {:>12}{}  {}\n", d.name(planned.on_ground()),
                    first ? grouped(s.cycles) : "\"", s.after_drawing ? "*" : " ",
                    explain(d.decision.reason));
     });
     fmt::print("\n{:<45}{}\n", "needed", "because");
     for_omissions(planned, false, [&](const Decided& d, bool) {
-        fmt::print("{:<44} {}\n", d.name(planned.has_map()), explain(d.decision.reason));
+        fmt::print("{:<44} {}\n", d.name(planned.on_ground()), explain(d.decision.reason));
     });
     const std::uint64_t left = total(planned.cycles()), everything = planned.everything();
     const int ns = planned.scene.settings.timing.clock_ns;

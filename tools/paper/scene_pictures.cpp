@@ -70,7 +70,7 @@ void measure(const LoadedScene& scene, const RenderJob& job, DrawnScene& made) {
     made.maps = has_map ? ledgers.size() : 0;
     made.cost = {shadow::total(ledgers, true), of_figure(ledgers.front(), 1).total(true),
                  t.total_ms(), t.matrices_ms + t.observer_ms};
-    if (has_map) return;
+    if (!ledgers.front().on_ground) return;
     // Here the shadow is drawn with the observer's view.
     shadow::Settings plain = scene.settings;
     plain.form = shadow::Form::post_process;

@@ -21,7 +21,7 @@ using shadow::StageLedger;
 constexpr std::ptrdiff_t after_transformation = 2;
 std::vector<std::pair<const char*, const PhaseLedger*>> phases(const FrameLedger& l) {
     std::vector<std::pair<const char*, const PhaseLedger*>> all{
-        {l.has_map ? "light's view" : "shadow, flat", &l.light},
+        {l.on_ground ? "shadow, flat" : "light's view", &l.light},
         {"observer's view", &l.observer},
         {"dequantize", &l.dequantize},
         {"low-pass", &l.low_pass},
@@ -80,9 +80,10 @@ std::string print_frame(const FrameLedger& l, int clock_ns) {
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (k == after_transformation) {
             text += fmt::format("{:<16}{:>48}{:>14}{:>18}{:>11.2f}  {}\n", "transformation",
-                                l.on_array  ? "AP-120B, see below"
-                                : l.has_map ? "clocked, see below"
-                                            : "with the observer's view",
+                                l.on_array    ? "AP-120B, see below"
+                                : l.has_map   ? "clocked, see below"
+                                : l.on_ground ? "with the observer's view"
+                                              : "counted",
                                 l.transformation(true), l.transformation(false),
                                 simulated_ms(l.transformation(true), clock_ns), l.bottleneck());
             if (l.test.units.side_by_side() > 0) row("  its operations", l.test);
@@ -126,8 +127,12 @@ ordered_json to_json(const FrameLedger& l, int clock_ns) {
     if (l.has_map)
         json["transformation"] =
             l.on_array ? to_json(l.array, clock_ns) : to_json(l.post_process);
-    else
+    else if (l.on_ground)
         json["masks"] = {{"store", l.test.units.store}};
+    else
+        json["transformation"] = {{"cycles", l.transformation(true)},
+                                  {"bottleneck", l.bottleneck()},
+                                  {"cycles_once", l.scene.units.side_by_side()}};
     json["frame_cycles"] = {{"side_by_side", l.total(true)},
                             {"one_after_the_other", l.total(false)}};
     json["frame_ms"] = simulated_ms(l.total(true), clock_ns);

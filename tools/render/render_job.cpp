@@ -4,6 +4,7 @@
 #include "tools/scene/checks.hpp"
 #include "tools/scene/scene_error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -40,6 +41,18 @@ void RenderJob::allocate() {
     bytes_ = shadow::frame_bytes<Depth>(machine, patches_, shape);
     memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
     frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, shape);
+    make_room(0);
+}
+
+// For what the method keeps: at least `bytes`, and what it needs in any case.
+void RenderJob::make_room(std::size_t bytes) {
+    const shadow::Method& method = shadow::method_of(inputs_);
+    if (method.memory != nullptr) bytes = std::max(bytes, method.memory(inputs_));
+    if (bytes > method_bytes_) {
+        method_memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes]);
+        method_bytes_ = bytes;
+    }
+    std::visit([&](auto& f) { f.method_memory = {method_memory_.get(), method_bytes_}; }, frame_);
 }
 
 void RenderJob::use(const shadow::Settings& settings) {
@@ -97,9 +110,25 @@ void RenderJob::draw_observer() {
 }
 
 void RenderJob::cast_shadows() {
-    times_.post_process_ms = timed_ms([&] {
+    const auto cast = [&] {
         std::visit([&](auto& f) { shadow::cast_shadows(inputs_, plan_, f, counts_); }, frame_);
-    });
+    };
+    make_room(0);
+    times_.post_process_ms = timed_ms(cast);
+    // A method that ran out of memory has said how much it needs; that may take several steps.
+    for (std::size_t needed = bytes_short_of(); needed > 0; needed = bytes_short_of()) {
+        make_room(needed);
+        times_.post_process_ms = timed_ms(cast);
+    }
+}
+
+// Of what the method had too little of; 0 if it had enough.
+std::size_t RenderJob::bytes_short_of() const {
+    std::size_t needed = 0;
+    for (std::size_t l = 0; l < inputs_.scene.light_count; ++l)
+        if (const shadow::Capacity& c = counts_.lights[l].capacity; !c.enough)
+            needed = std::max(needed, static_cast<std::size_t>(c.needed));
+    return needed;
 }
 
 void RenderJob::filter_and_composite() {

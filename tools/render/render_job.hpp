@@ -97,7 +97,7 @@ public:
     std::vector<shadow::FrameLedger> ledgers() const;
     // The post-process again, through memory of the time.
     shadow::MemoryLedger replay_memory() const;
-    std::size_t frame_bytes() const { return bytes_; }
+    std::size_t frame_bytes() const { return bytes_ + method_bytes_; }
 
     // All planes, in the order of the frame.
     std::vector<PlaneOf> planes() const;
@@ -117,6 +117,8 @@ private:
     };
     template <class Depth>
     void allocate();
+    void make_room(std::size_t bytes);
+    std::size_t bytes_short_of() const;
     void check_carved(const shadow::Scene&, const shadow::Settings&) const;
     void load(shadow::FrameInputs next, const shadow::FrameInputs* before);
     shadow::FrameLedger ledger(std::size_t light, const shadow::FrameLedger* other) const;
@@ -128,6 +130,8 @@ private:
     std::size_t bytes_ = 0, patches_ = 0;  // that the memory was carved for
     int layers_ = 1;                       // of the light's map, likewise
     std::unique_ptr<std::byte[], Free> memory_;
+    std::size_t method_bytes_ = 0;
+    std::unique_ptr<std::byte[], Free> method_memory_;
     std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;
 };
 

@@ -165,6 +165,13 @@ std::string explain(shadow::FrameStatus status) {
         case light_in_ground:
             return "a light lies in the plane of the ground, where its shadows have no end; move "
                    "it, or set form = \"post_process\"";
+        case rival_of_stream:
+            return "a rival of the depth map holds the scene's polygons, and a [stream] is not "
+                   "held; set form = \"post_process\"";
+        case too_wide_for_rival:
+            return "a rival of the depth map has words of 22 bits, and a surface, the eye or a "
+                   "lamp lies more than 2^21 pixels from the observer's target; raise "
+                   "observer.extent, or set form = \"post_process\"";
         case bias_out_of_range: return "the bias is beyond 2^47 quanta; lower it";
     }
     return "the frame cannot be drawn";

@@ -284,10 +284,28 @@ struct PlannedFrame {
         EXPECT_EQ(load_matrices(inputs.scene, inputs.settings, inputs.matrices),
                   FrameStatus::ok)
             << planned.name;
+        if (method_of(inputs).memory != nullptr) make_room(method_of(inputs).memory(inputs));
     }
-    void draw(const FramePlan& plan) { draw_frame(inputs, plan, frame.buffers, frame.counts); }
+    void make_room(std::size_t bytes) {
+        method_memory.assign(bytes / frame_alignment + 1, {});
+        frame.buffers.method_memory = std::as_writable_bytes(std::span(method_memory));
+    }
+    // Again, with the memory that the method asks for, until it has enough.
+    void draw(const FramePlan& plan) {
+        draw_frame(inputs, plan, frame.buffers, frame.counts);
+        if (method_of(inputs).memory == nullptr) return;
+        for (const LightCounts& l : std::span(frame.counts.lights).first(inputs.scene.light_count))
+            if (!l.capacity.enough) {
+                make_room(l.capacity.needed);
+                return draw(plan);
+            }
+    }
 
+    struct alignas(frame_alignment) Line {
+        std::array<std::byte, frame_alignment> bytes;
+    };
     Frame<> frame;
+    std::vector<Line> method_memory;
     FrameInputs inputs;
 };
 

@@ -98,7 +98,7 @@ void change_each_setting(PlannedScene base, const Expected& expected) {
     int turn = 0;
     for (const Setting& setting : settings_table()) {
         if (umbra78::test::sanitized && ++turn % 4 != 0) continue;
-        if (setting.key == "form" && is_on_ground(base.settings.form)) continue;  // other buffers
+        if (setting.key == "form" && map_layers(base.settings) == 0) continue;  // other buffers
         SCOPED_TRACE(setting.key);
         PlannedScene changed = base;
         setting.set(changed.settings, another(setting, base.settings));
@@ -136,6 +136,32 @@ TEST(Reuse, EachSettingInTurnOfAGround) {
         expected[key] = "LDOM";
     change_each_setting(test::planned_scene("ground"), expected);
     change_each_setting(test::planned_scene("blob"), expected);
+}
+
+// A rival reads polygons: nothing that only a depth map is read with, but how finely it dices.
+TEST(Reuse, EachSettingInTurnOfARival) {
+    Expected expected;
+    for (const char* key : {"xy_bits", "z_bits", "coefficient_bits", "transform_rounding",
+                            "depth_rounding", "surface", "sampling"})
+        expected[key] = "";
+    for (const char* key : {"ambient", "shading"}) expected[key] = "LDM";
+    for (const char* key : {"dequantize", "low_pass", "composite", "density"})
+        expected[key] = "LDOM";
+    expected["dice_levels"] = "LDO";
+    PlannedScene planned = test::planned_scene("figure 6");
+    planned.settings.form = Form::volumes;
+    change_each_setting(planned, expected);
+}
+
+TEST(Reuse, ARivalsLightMoves) {
+    PlannedScene base = test::planned_scene("figure 6");
+    base.settings.form = Form::volumes;
+    PlannedScene moved = base;
+    moved.light.axes = raster::axes_from_angles(-80 << 16, 10 << 16);
+    EXPECT_EQ(draw_over(base, moved), "LD");
+    moved = base;
+    moved.light.extent += 1;  // its view is not read
+    EXPECT_EQ(draw_over(base, moved), "LDOMP");
 }
 
 TEST(Reuse, AGroundTakesNothingFromAnotherForm) {

@@ -237,10 +237,11 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("shading", "none", raster::ShadingRule::none));
     all.push_back(named("composite", "direct", Composite::direct));
     all.push_back(named("composite", "whole", Composite::whole));
-    all.push_back(named("form", "post_process", Form::post_process));
-    all.push_back(named("form", "correct", Form::correct));
-    all.push_back(named("form", "ground", Form::ground));
-    all.push_back(named("form", "blob", Form::blob));
+    for (const auto& [name, form] :
+         {std::pair{"post_process", Form::post_process}, {"correct", Form::correct},
+          {"ground", Form::ground}, {"blob", Form::blob}, {"brute", Form::brute}, {"volumes",
+          Form::volumes}})
+        all.push_back(named("form", name, form));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
     all.push_back(named("array_memory", "standard", hw::ap120b::MemorySpeed::standard));
@@ -345,7 +346,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 3}},
+        {"form", {0, 5}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"sector_test", {0, 1}},
@@ -407,8 +408,7 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
     high.lookup = Lookup::bilinear;
     low.bias_q16 = high.bias_q16 = high.bias_clamp_q16 = 0;
     high.machine.z_bits = 16;
-    draw(low, "all");
-    draw(high, "all");
+    for (const Settings& s : {low, high}) draw(s, "all");
     EXPECT_GT(drawn, 150);
 }
 

@@ -120,8 +120,8 @@ std::string as_text() {
     std::vector<Polygons> all = named_scenes();
     for (std::uint32_t seed = 0; seed < 60; ++seed) all.push_back(random_polygons(seed));
     std::ostringstream out;
-    out << "# The rivals' scenes: shadow/rivals/RIVALS.md says what is in them. Written by the test\n"
-           "# RivalScenes.EqualTheGolden with UMBRA78_BLESS_RIVALS set; read by it and by\n"
+    out << "# The rivals' scenes: shadow/rivals/RIVALS.md says what is in them. Written by the "
+           "test\n# RivalScenes.EqualTheGolden with UMBRA78_BLESS_RIVALS set; read by it and by\n"
            "# tests/independent/rivals.py.\n";
     for (const Polygons& p : all) {
         const Scene scene(p);

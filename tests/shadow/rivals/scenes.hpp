@@ -68,7 +68,8 @@ public:
         Mesh mesh;
         fixed::require(builder_.finish(mesh) == MeshStatus::ok, "a test's mesh");
         const Space space(p.xy_bits, p.fraction, p.eye);
-        setting_memory_ = std::make_unique<Memory>(setting_bytes(mesh));
+        setting_memory_ = std::make_unique<Memory>(
+            setting_bytes(mesh.facets.size(), mesh.edges.size()));
         fixed::require(make_setting(space, mesh, p.light, setting_memory_->bytes(), setting_),
                        "a test's setting");
         shown_.resize(space.pixels());

@@ -1,0 +1,156 @@
+#include "shadow/frame/rivals.hpp"
+
+#include "shadow/frame/costs.hpp"
+#include "shadow/rivals/costs.hpp"
+#include "shadow/rivals/dicing.hpp"
+
+#include <algorithm>
+
+namespace umbra78::shadow {
+namespace {
+
+std::span<const raster::View> lights_of(const Scene& scene) {
+    return std::span(scene.lights).first(scene.light_count);
+}
+
+// What every rival works on.
+struct Pieces {
+    std::span<std::byte> mesh, setting;
+    std::span<raster::DiceMemory> dice;
+    std::span<std::uint32_t> shown;
+};
+
+Pieces lay_out(Carver& carver, const rivals::MeshSize& size, std::size_t pixels) {
+    return {carver.take<std::byte>(rivals::MeshBuilder::bytes(size)),
+            carver.take<std::byte>(rivals::setting_bytes(size.facets, 3 * size.facets)),
+            carver.take<raster::DiceMemory>(1), carver.take<std::uint32_t>(pixels)};
+}
+
+rivals::MeshSize size_of(const FrameInputs& in) {
+    return rivals::diced_size(in.scene.surfaces(), in.settings.dice_levels);
+}
+
+bool prepare(const FrameInputs& in, std::size_t l, const Pieces& p, rivals::Setting& out) {
+    const int xy_bits = in.settings.machine.xy_bits;
+    const raster::View& observer = in.scene.observer;
+    int fraction = 0;
+    rivals::fit_fraction(observer, xy_bits, in.scene.surfaces(), lights_of(in.scene), fraction);
+    const rivals::ToWords to(observer, xy_bits, fraction);
+    rivals::Space space;
+    rivals::Centre light{};
+    rivals::MeshBuilder builder(p.mesh, size_of(in));
+    rivals::add_diced(in.scene.surfaces(), in.settings.dice_levels, to, p.dice.front(), builder);
+    rivals::Mesh mesh;
+    return to.space(space) && to.light(in.scene.lights[l], light) &&
+           builder.finish(mesh) == rivals::MeshStatus::ok &&
+           rivals::make_setting(space, mesh, light, p.setting, out);
+}
+
+// --- each rival ----------------------------------------------------------------------------------
+//
+// bytes: of the most that it may need, if that is known before. cast: writes the mask with memory
+// from the carver; what it took, or nothing if the memory is too small.
+
+std::size_t volume_bytes(const rivals::MeshSize& size, std::size_t pixels) {
+    Carver carver(static_cast<std::byte*>(nullptr));
+    carver.take<rivals::ContourEdge>(3 * size.facets);
+    carver.take<std::int32_t>(pixels);
+    return carver.used();
+}
+
+rivals::Work cast_volumes(const rivals::Setting& s, std::span<const std::uint32_t> shown,
+                          Carver& carver, std::span<std::uint8_t> mask) {
+    const auto contour = carver.take<rivals::ContourEdge>(rivals::find_contour(s, {}));
+    const auto surfaces = carver.take<std::int32_t>(shown.size());
+    if (!carver.fits()) return {};
+    rivals::find_contour(s, contour);
+    rivals::VolumeCounts counts;
+    rivals::count_volumes(s, shown, contour, surfaces, counts);
+    rivals::mask_of_counts(s, shown, surfaces, mask);
+    return rivals::work_of(counts, mask.size());
+}
+
+rivals::Work cast_brute(const rivals::Setting& s, std::span<const std::uint32_t> shown,
+                        Carver& carver, std::span<std::uint8_t> mask) {
+    // The grid takes what is left; how much it needs is known when it has been counted.
+    rivals::LightGrid grid;
+    std::size_t needed = 0;
+    const bool built = grid.build(s, 0, carver.rest(), needed);
+    carver.take<std::byte>(needed);
+    if (!built) return {};
+    rivals::BruteCounts counts;
+    rivals::brute(s, shown, &grid, mask, counts);
+    return rivals::work_of(counts, s.mesh, mask.size());
+}
+
+}  // namespace
+
+FrameStatus check_rival(const Scene& scene, const Settings& settings) {
+    if (scene.streamed) return FrameStatus::rival_of_stream;
+    int fraction = 0;
+    const rivals::SpaceStatus fits =
+        rivals::fit_fraction(scene.observer, settings.machine.xy_bits, scene.surfaces(),
+                             lights_of(scene), fraction);
+    return fits == rivals::SpaceStatus::ok ? FrameStatus::ok : FrameStatus::too_wide_for_rival;
+}
+
+std::size_t rival_bytes(const FrameInputs& in) {
+    const std::size_t pixels = std::size_t{1} << (2 * in.settings.machine.xy_bits);
+    const rivals::MeshSize size = size_of(in);
+    Carver carver(static_cast<std::byte*>(nullptr));
+    lay_out(carver, size, pixels);
+    if (in.settings.form == Form::volumes) carver.take<std::byte>(volume_bytes(size, pixels));
+    return carver.used();
+}
+
+template <class Depth>
+void cast_rival(const FrameInputs& in, const FramePlan&, std::size_t l,
+                FrameBuffers<Depth>& frame, FrameCounts& counts) {
+    const std::span<std::uint8_t> mask = frame.lights[l].mask;
+    LightCounts& counted = counts.lights[l];
+    Carver carver(frame.method_memory);
+    const Pieces pieces = lay_out(carver, size_of(in), mask.size());
+    rivals::Setting setting;
+    rivals::Work work;
+    if (carver.fits()) {
+        fixed::require(prepare(in, l, pieces, setting), "a rival's scene was not checked");
+        rivals::VisibleCounts visible;
+        rivals::find_visible(setting, pieces.shown, visible);
+        work = in.settings.form == Form::volumes
+                   ? cast_volumes(setting, pieces.shown, carver, mask)
+                   : cast_brute(setting, pieces.shown, carver, mask);
+    }
+    counted.capacity = {carver.fits(), carver.used()};
+    counted.method_once = work.once;
+    counted.method_frame = work.frame;
+    if (!carver.fits()) return;
+    const auto none = static_cast<Depth>(in.settings.machine.background());
+    PostProcessCounts& pixels = counted.post_process;
+    pixels = {};
+    for (std::size_t at = 0; at < mask.size(); ++at) {
+        if (frame.observer.depth[at] == none) mask[at] = mask_lit;  // the picture shows nothing
+        pixels.visible += frame.observer.depth[at] != none ? 1 : 0;
+        pixels.shadowed += mask[at] != mask_lit ? 1 : 0;
+    }
+}
+
+template <class Depth>
+void cost_of_rival(const FrameInputs& in, std::size_t l, const FrameBuffers<Depth>&,
+                   const FrameCounts& counts, FrameLedger& ledger) {
+    const auto phase = [&](const hw::Operations& o) {
+        return PhaseLedger{o, method_of(in).units(o, in.settings)};
+    };
+    ledger.scene = phase(counts.lights[l].method_once);
+    ledger.test = phase(counts.lights[l].method_frame);
+}
+
+#define UMBRA78_RIVAL(Depth)                                                                     \
+    template void cast_rival(const FrameInputs&, const FramePlan&, std::size_t,                  \
+                             FrameBuffers<Depth>&, FrameCounts&);                                \
+    template void cost_of_rival(const FrameInputs&, std::size_t, const FrameBuffers<Depth>&,     \
+                                const FrameCounts&, FrameLedger&);
+UMBRA78_RIVAL(hw::Depth16)
+UMBRA78_RIVAL(hw::Depth32)
+#undef UMBRA78_RIVAL
+
+}  // namespace umbra78::shadow

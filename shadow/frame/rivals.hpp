@@ -1,0 +1,41 @@
+// The stages of the rivals (shadow/rivals): rows of shadow/frame/methods.cpp.
+//
+// A rival tests the pixels after the observer's view is drawn, as the post-process does, but
+// against the scene's polygons and not against a depth map. Its polygons are the scene's mesh and
+// its patches, diced alike with dice_levels; a light shines as far as there are polygons, whatever
+// its view. The picture is the machine's, whose silhouettes may differ from the polygons' by a
+// pixel; a pixel where the polygons show nothing is lit.
+#pragma once
+
+#include "shadow/frame/methods.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace umbra78::shadow {
+
+struct RivalRow {
+    Form form;
+    std::string_view name, meaning;
+};
+inline constexpr std::array rival_rows{
+    RivalRow{Form::brute, "brute", "every facet is asked whether it is before the point"},
+    RivalRow{Form::volumes, "volumes", "shadow volumes are counted (Crow 1977, third class)"}};
+
+// Whether the scene can be had in rivals' words: it is held, and not too wide.
+FrameStatus check_rival(const Scene& scene, const Settings& settings);
+
+// Of method_memory: what every rival needs, and what this one does where that is known before.
+std::size_t rival_bytes(const FrameInputs&);
+
+template <class Depth>
+void cast_rival(const FrameInputs&, const FramePlan&, std::size_t light, FrameBuffers<Depth>&,
+                FrameCounts&);
+template <class Depth>
+void cost_of_rival(const FrameInputs&, std::size_t light, const FrameBuffers<Depth>&,
+                   const FrameCounts&, FrameLedger&);
+
+template <class Depth>
+constexpr MethodStages<Depth> rival_stages{nullptr, cast_rival<Depth>, cost_of_rival<Depth>};
+
+}  // namespace umbra78::shadow
