@@ -35,6 +35,19 @@ bool boxes_overlap(const Setting& s, const LightPicture& picture, std::uint32_t 
     return false;
 }
 
+// Whether an edge of a facet lies in the receiver's plane and is none of the receiver's own. No run
+// on the receiver crosses those.
+bool touches_inside(const Setting& s, std::uint32_t receiver, std::uint32_t facet,
+                    const std::array<int, 3>& at) {
+    const auto& own = s.mesh.sides[receiver];
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (at[k] != 0 || at[(k + 1) % 3] != 0) continue;
+        const std::uint32_t e = s.mesh.sides[facet][k] / 2;
+        if (e != own[0] / 2 && e != own[1] / 2 && e != own[2] / 2) return true;
+    }
+    return false;
+}
+
 // visit(border) of each border of a receiver that is at, or is, a facet linked to it.
 template <class Visit>
 void for_borders_at(const Setting& s, const LightPicture& picture, std::uint32_t receiver,
@@ -44,8 +57,8 @@ void for_borders_at(const Setting& s, const LightPicture& picture, std::uint32_t
     const auto& vertex = s.mesh.facets[facet].vertex;
     const std::array<int, 3> at{side_of(vertex[0]), side_of(vertex[1]), side_of(vertex[2])};
     if (std::max({at[0], at[1], at[2]}) <= 0) return;
-    const auto on_plane = std::count(at.begin(), at.end(), 0);
-    if (std::min({at[0], at[1], at[2]}) < 0 || on_plane == 2) {
+    const bool through = std::min({at[0], at[1], at[2]}) < 0;
+    if (through || touches_inside(s, receiver, facet, at)) {
         ++counts.facets;
         visit(Border{facet, -s.light.sides[facet], Border::own_plane, false});
     }

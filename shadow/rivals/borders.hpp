@@ -19,7 +19,7 @@
 //   an edge is a border of R if m is not 0, an end of it lies strictly on the light's side of R's
 //   plane, and its box in the light's picture overlaps R's;
 //   a facet is a border of R if it is linked to R, has a vertex strictly on the light's side, and
-//   another strictly on the far side or two on R's plane.
+//   another strictly on the far side, or an edge in R's plane that is no edge of R.
 //
 // A row meets no vertex, as the pixels' centres are moved (row.hpp), and whether the crossing is
 // between an edge's ends is asked where the lines cross, exactly.

@@ -45,6 +45,17 @@ bool Links::linked_on(int face, std::uint32_t receiver, std::uint32_t facet) con
     return r.box.face >= 0 && f.box.face >= 0 && r.box.overlaps(f.box) && f.least < r.greatest;
 }
 
+namespace {
+
+bool is_before_plane(const Setting& s, std::uint32_t receiver, std::uint32_t facet) {
+    const Plane plane = s.mesh.plane(receiver);
+    for (const Point& corner : s.mesh.corners(facet))
+        if (sign(plane.at(corner)) == s.light.sides[receiver]) return true;
+    return false;
+}
+
+}  // namespace
+
 template <class Visit>
 void Links::for_links_of(std::uint32_t receiver, LinkCounts& counts, Visit&& visit) const {
     for (int face = 0; face < picture().faces(); ++face) {
@@ -103,6 +114,10 @@ LinkStatus Links::build(const Setting& setting, std::span<const std::uint32_t> s
         if (is_receiver_[f] == 0) continue;
         ++counts.receivers;
         for_links_of(f, counts, [&](std::uint32_t caster) {
+            if (options.before_plane) {
+                ++counts.plane_tests;
+                if (!is_before_plane(setting, f, caster)) return;
+            }
             if (links < items_.size()) items_[links] = caster;
             ++links;
         });

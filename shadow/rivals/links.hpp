@@ -11,6 +11,10 @@
 // on a face of the picture at least; F is not R, and the light does not see it edge-on. A facet
 // that shadows a point of R has both, so no shadow is lost; most links cast none.
 //
+// Neither condition knows R's plane, and on a curved surface most links are to neighbours that lie
+// behind it. The variant `before_plane` asks for a vertex of F strictly on the light's side of R's
+// plane, too: one without shadows nothing of R. It is not Bouknight & Kelley's.
+//
 // Without sectors every receiver is tested with every facet. Sectors are the cells of a grid over
 // the picture. A facet enters each cell that its box touches, and only facets of one cell are
 // tested. A pair that meets in several cells is tested in each; the cell of the lower corner of
@@ -30,6 +34,8 @@ struct LinkOptions {
     int cells = 0;
     // Receivers are the facets that are shown, else all whose seen side is lit.
     bool visible_only = true;
+    // Links only facets with a vertex strictly on the light's side of the receiver's plane.
+    bool before_plane = false;
 };
 
 struct LinkCounts {
@@ -38,6 +44,7 @@ struct LinkCounts {
     std::uint64_t entries = 0;      // of facets in cells
     std::uint64_t box_tests = 0;    // of a receiver and a facet in a cell
     std::uint64_t depth_tests = 0;  // of pairs whose boxes overlap, each once a face
+    std::uint64_t plane_tests = 0;  // of a pair with the receiver's plane (before_plane)
     std::uint64_t links = 0;        // made
     std::uint64_t longest = 0;      // list
 };
@@ -73,7 +80,7 @@ private:
     void find_receivers(const Setting& setting, std::span<const std::uint32_t> shown,
                         bool visible_only);
     template <class Visit>
-    void for_links_of(std::uint32_t facet, LinkCounts& counts, Visit&& visit) const;
+    void for_links_of(std::uint32_t receiver, LinkCounts& counts, Visit&& visit) const;
     const Extent& extent(std::uint32_t facet, int face) const {
         return extents_[facet * static_cast<std::size_t>(picture().faces()) +
                         static_cast<std::size_t>(face)];

@@ -16,17 +16,19 @@ std::vector<std::uint32_t> sorted_links(const Links& links, std::size_t facet) {
 }
 
 TEST(RivalLinks, LeaveOutNoFacetThatShadows) {
-    std::size_t shadows = 0, links = 0;
+    std::size_t shadows = 0, links = 0, left_out = 0;
     for (std::uint32_t seed = 0; seed < 10'000; ++seed) {
         const Scene scene(random_polygons(seed));
         const Setting& s = scene.setting();
         const Linked linked(s, scene.shown());
+        const Linked before(s, scene.shown(), {0, true, true});
         links += linked.counts.links;
+        left_out += linked.counts.links - before.counts.links;
         const auto size = static_cast<std::size_t>(s.space.size_px());
         for (std::size_t at = 0; at < scene.shown().size(); ++at) {
             const std::uint32_t on = scene.shown()[at];
             if (on == nothing_seen || s.attached(on)) continue;
-            const auto list = linked.links.of(on);
+            const auto list = linked.links.of(on), shorter = before.links.of(on);
             for (std::uint32_t f = 0; f < s.mesh.facets.size(); ++f) {
                 if (!s.hides(s.light, f, on, s.space.centre(static_cast<int>(at % size)),
                              s.space.centre(static_cast<int>(at / size))))
@@ -34,25 +36,28 @@ TEST(RivalLinks, LeaveOutNoFacetThatShadows) {
                 ++shadows;
                 ASSERT_EQ(std::count(list.begin(), list.end(), f), 1)
                     << "seed " << seed << ": facet " << f << " shadows " << on;
+                ASSERT_EQ(std::count(shorter.begin(), shorter.end(), f), 1)
+                    << "before the plane, seed " << seed << ": facet " << f << " shadows " << on;
             }
         }
     }
     EXPECT_GT(shadows, 10'000u);
     EXPECT_GT(links, 20'000u);
+    EXPECT_GT(left_out, 3'000u);
 }
 
 TEST(RivalLinks, AreThoseOfEveryPairWhateverTheSectors) {
     for (std::uint32_t seed = 0; seed < 2'000; ++seed) {
         const Scene scene(random_polygons(seed));
         const Setting& s = scene.setting();
-        const Linked one(s, scene.shown(), {1, true});
+        const Linked one(s, scene.shown(), {1, true, false});
         for (const int cells : {0, 2, 8, 32}) {
-            const Linked many(s, scene.shown(), {cells, true});
+            const Linked many(s, scene.shown(), {cells, true, false});
             for (std::size_t f = 0; f < s.mesh.facets.size(); ++f)
                 ASSERT_EQ(sorted_links(one.links, f), sorted_links(many.links, f))
                     << "seed " << seed << ", facet " << f << ", cells " << cells;
         }
-        const Linked all(s, {}, {1, false});
+        const Linked all(s, {}, {1, false, false});
         for (std::size_t f = 0; f < s.mesh.facets.size(); ++f) {
             if (one.links.of(f).empty()) continue;
             ASSERT_EQ(sorted_links(one.links, f), sorted_links(all.links, f)) << "seed " << seed;
@@ -71,7 +76,7 @@ TEST(RivalLinks, AskBoxAndDepth) {
     p.triangle({8, 8, 0}, {24, 8, 0}, {8, 24, 0});           // in its plane
     p.triangle({64, 0, -9}, {99, 0, -9}, {99, 24, -9});      // touches its box at a corner
     const Scene scene(p);
-    const Linked linked(scene.setting(), {}, {0, false});
+    const Linked linked(scene.setting(), {}, {0, false, false});
     const auto& mesh = scene.setting().mesh;
     std::size_t receiver = 0;
     for (std::size_t f = 0; f < mesh.facets.size(); ++f)
@@ -110,8 +115,10 @@ TEST(RivalLinks, SayHowMuchTheyNeed) {
 TEST(RivalLinks, SectorsSaveTestsUntilTheyAreAsSmallAsFacets) {
     const FiguresScene scene(2, 9, -100);
     std::vector<std::uint64_t> tests;
-    for (int cells = 1; cells <= 64; cells *= 2)
-        tests.push_back(Linked(scene.setting(), scene.shown(), {cells, true}).counts.box_tests);
+    for (int cells = 1; cells <= 64; cells *= 2) {
+        const Linked linked(scene.setting(), scene.shown(), {cells, true, false});
+        tests.push_back(linked.counts.box_tests);
+    }
     EXPECT_GT(tests[0], 3 * tests[1]);  // 1 to 4 sectors
     EXPECT_GT(tests[1], tests[3]);
     EXPECT_LT(tests[4], tests[6]);      // 256 to 4096: worse again
