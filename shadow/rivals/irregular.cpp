@@ -123,17 +123,20 @@ bool irregular(const Setting& setting, std::span<const std::uint32_t> shown,
     const Space& space = setting.space;
     const LightPicture picture(setting.light.centre);
     const auto size = static_cast<std::uint32_t>(space.size_px());
+    std::size_t points = 0;
     for (std::size_t at = 0; at < mask.size(); ++at) {
         const bool seen = shown[at] != nothing_seen;
         mask[at] = seen && setting.attached(shown[at]) ? dark : lit;
-        counts.samples += seen && mask[at] == lit ? 1 : 0;
+        points += seen && mask[at] == lit ? 1 : 0;
     }
     const auto side = static_cast<std::size_t>(options.texels);
-    counts.texels = static_cast<std::size_t>(picture.faces()) * side * side;
+    const std::size_t texels = static_cast<std::size_t>(picture.faces()) * side * side;
     Carver carver(memory);
-    const auto samples = carver.take<IrregularSample>(counts.samples);
-    const auto faces = carver.take<std::uint8_t>(counts.samples);
-    const auto heads = carver.take<std::uint32_t>(counts.texels);
+    const auto samples = carver.take<IrregularSample>(points);
+    const auto faces = carver.take<std::uint8_t>(points);
+    const auto heads = carver.take<std::uint32_t>(texels);
+    counts.samples += points;
+    counts.texels += texels;
     counts.bytes = carver.used();
     if (!carver.fits()) return false;
 
