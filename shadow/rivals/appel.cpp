@@ -37,9 +37,10 @@ public:
         if (k == 3) return Carried::not_joined;
         const Edge& edge = s_.mesh.edges[s_.mesh.sides[from][k] / 2];
         if (multiplicity(s_, edge) != 0) return Carried::contour;
+        // The eye is on the light's side of both facets, so for it, too, they lie on either side of
+        // the edge, which so parts the two pixels.
         const RowLine seen_edge = eye_line(from, k, row);
         const Run step{column - 1, column + 1};
-        if (crossing_in(seen_edge, step, s_.space, row).column == step.to) return Carried::vertex;
         for (std::size_t j = 0; j < 3; ++j)
             if (j != k && sign_where(seen_edge, eye_line(from, j, row)) !=
                               s_.eye.inside(s_.mesh, from, j))

@@ -8,8 +8,8 @@
 // it is carried if the row goes through an edge that both share:
 //
 //   the edge is of these two facets alone and is no contour edge (multiplicity 0), both are seen
-//   lit, the edge's plane through the eye parts the two pixels, and where the row crosses it, it
-//   is between the edge's ends.
+//   lit (so the edge's plane through the eye parts the two pixels), and where the row crosses it,
+//   it is between the edge's ends.
 //
 // Then the borders on the first facet from its last pixel to the edge, and those on the second
 // from the edge to its first pixel, are taken. In every other case the number does not survive,
