@@ -95,7 +95,7 @@ TEST(Appel, EqualsBruteForceInTheFiguresScene) {
 
 TEST(Appel, EqualsBruteForceWithALightAtAPlace) {
     expect_mask_in(FiguresScene(2, 8, 40, 3));
-    expect_mask_in(FiguresScene(2, 8, -60, 2));
+    expect_mask_in(FiguresScene(2, 8, -100, 3));
 }
 
 TEST(Appel, SaysHowLongAListWas) {

@@ -79,7 +79,7 @@ TEST(BouknightKelley, EqualsBruteForceInTheNamedScenes) {
 
 TEST(BouknightKelley, EqualsBruteForceWithALightAtAPlace) {
     expect_equal_in(FiguresScene(2, 8, 40, 3), "40 degrees");
-    expect_equal_in(FiguresScene(2, 8, -60, 2), "-60 degrees");
+    expect_equal_in(FiguresScene(2, 8, -100, 3), "-100 degrees");
 }
 
 // A row of the floor under a bar: lit, dark, lit; the counter's two crossings, sorted.

@@ -53,7 +53,7 @@ TEST(Irregular, EqualsBruteForceInTheFiguresScene) {
 
 TEST(Irregular, EqualsBruteForceWithALightAtAPlace) {
     expect_lists_equal_in(FiguresScene(2, 8, 40, 3));
-    expect_lists_equal_in(FiguresScene(2, 8, -60, 2));
+    expect_lists_equal_in(FiguresScene(2, 8, -100, 3));
 }
 
 TEST(Irregular, SaysHowMuchItNeeds) {
