@@ -39,6 +39,9 @@ public:
     // Of the point of a facet's plane that a pixel shows. u and v are rounded down.
     LightPlace place(const SeenPlane& on, const Centre& eye, std::int32_t px,
                      std::int32_t py) const;
+    // How far from the light along a face's axis, or along a direction: of two points at one place
+    // the nearer has the less.
+    std::int64_t depth(const Point& p, int face) const;
 
 private:
     Centre light_;
@@ -52,13 +55,30 @@ public:
     bool build(const Setting& setting, int cells, std::span<std::byte> memory,
                std::size_t& needed);
 
-    std::span<const std::uint32_t> facets_at(const LightPlace& p) const;
+    std::span<const std::uint32_t> facets_at(const LightPlace& p) const {
+        return facets_in(cell_at(p));
+    }
     const LightPicture& picture() const { return picture_; }
     std::size_t entries() const { return items_.size(); }
 
-private:
+    // The cells of all faces, in order of face, row and column.
+    std::size_t cells() const { return starts_.size() - 1; }
+    std::size_t cell_at(const LightPlace& p) const {
+        return (static_cast<std::size_t>(p.face) * side() + row(p.v)) * side() + column(p.u);
+    }
+    std::span<const std::uint32_t> facets_in(std::size_t cell) const {
+        return items_.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+    }
+    // visit(cell) of each that a box touches.
     template <class Visit>
-    void for_cells(const LightBox& box, Visit&& visit) const;
+    void for_cells(const LightBox& box, Visit&& visit) const {
+        for (std::size_t r = row(box.v0); r <= row(box.v1); ++r)
+            for (std::size_t c = column(box.u0); c <= column(box.u1); ++c)
+                visit((static_cast<std::size_t>(box.face) * side() + r) * side() + c);
+    }
+
+private:
+    std::size_t side() const { return static_cast<std::size_t>(cells_); }
     std::size_t column(std::int64_t u) const;
     std::size_t row(std::int64_t v) const;
 
