@@ -95,6 +95,13 @@ LightPlace LightPicture::place(const SeenPlane& on, const Centre& eye, std::int3
             on_face(from[(axis + 1) % 3]), on_face(from[(axis + 2) % 3])};
 }
 
+std::int64_t LightPicture::depth(const Point& p, int face) const {
+    const std::array<std::int64_t, 3> at{p.x, p.y, p.z}, l{light_.x, light_.y, light_.z};
+    if (light_.w == 0) return -(at[0] * l[0] + at[1] * l[1] + at[2] * l[2]);
+    const auto axis = static_cast<std::size_t>(face / 2);
+    return face % 2 == 0 ? at[axis] - l[axis] : l[axis] - at[axis];
+}
+
 // --- the grid -------------------------------------------------------------------------------
 
 std::size_t LightGrid::column(std::int64_t u) const {
@@ -104,14 +111,6 @@ std::size_t LightGrid::column(std::int64_t u) const {
 std::size_t LightGrid::row(std::int64_t v) const {
     return static_cast<std::size_t>(
         std::clamp<std::int64_t>(fixed::floor_shift(v - v0_, shift_v_), 0, cells_ - 1));
-}
-
-template <class Visit>
-void LightGrid::for_cells(const LightBox& box, Visit&& visit) const {
-    const auto side = static_cast<std::size_t>(cells_);
-    const std::size_t face = static_cast<std::size_t>(box.face) * side * side;
-    for (std::size_t r = row(box.v0); r <= row(box.v1); ++r)
-        for (std::size_t c = column(box.u0); c <= column(box.u1); ++c) visit(face + r * side + c);
 }
 
 bool LightGrid::build(const Setting& setting, int cells, std::span<std::byte> memory,
@@ -175,13 +174,6 @@ bool LightGrid::build(const Setting& setting, int cells, std::span<std::byte> me
         for_cells(b, [&](std::size_t cell) { items_[--starts_[cell]] = f; });
     });
     return true;
-}
-
-std::span<const std::uint32_t> LightGrid::facets_at(const LightPlace& p) const {
-    const auto side = static_cast<std::size_t>(cells_);
-    const std::size_t cell =
-        static_cast<std::size_t>(p.face) * side * side + row(p.v) * side + column(p.u);
-    return items_.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
 }
 
 }  // namespace umbra78::shadow::rivals

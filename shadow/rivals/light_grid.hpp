@@ -34,11 +34,16 @@ public:
     explicit LightPicture(const Centre& light);
 
     int faces() const { return light_.w == 0 ? 1 : 6; }
+    // Of a direction: the axis that is dropped, then those of u and v.
+    const std::array<std::size_t, 3>& axes() const { return axis_; }
     // The facet's box on a face; false if it has none there.
     bool box(const std::array<Point, 3>& corners, int face, LightBox& out) const;
     // Of the point of a facet's plane that a pixel shows. u and v are rounded down.
     LightPlace place(const SeenPlane& on, const Centre& eye, std::int32_t px,
                      std::int32_t py) const;
+    // How far from the light along a face's axis, or along a direction: of two points at one place
+    // the nearer has the less.
+    std::int64_t depth(const Point& p, int face) const;
 
 private:
     Centre light_;
@@ -51,13 +56,30 @@ public:
     // a face's grid, a power of two; 0 chooses one by the number of facets.
     bool build(const Setting& setting, int cells, std::span<std::byte> memory, std::size_t& needed);
 
-    std::span<const std::uint32_t> facets_at(const LightPlace& p) const;
+    std::span<const std::uint32_t> facets_at(const LightPlace& p) const {
+        return facets_in(cell_at(p));
+    }
     const LightPicture& picture() const { return picture_; }
     std::size_t entries() const { return items_.size(); }
 
-private:
+    // The cells of all faces, in order of face, row and column.
+    std::size_t cells() const { return starts_.size() - 1; }
+    std::size_t cell_at(const LightPlace& p) const {
+        return (static_cast<std::size_t>(p.face) * side() + row(p.v)) * side() + column(p.u);
+    }
+    std::span<const std::uint32_t> facets_in(std::size_t cell) const {
+        return items_.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+    }
+    // visit(cell) of each that a box touches.
     template <class Visit>
-    void for_cells(const LightBox& box, Visit&& visit) const;
+    void for_cells(const LightBox& box, Visit&& visit) const {
+        for (std::size_t r = row(box.v0); r <= row(box.v1); ++r)
+            for (std::size_t c = column(box.u0); c <= column(box.u1); ++c)
+                visit((static_cast<std::size_t>(box.face) * side() + r) * side() + c);
+    }
+
+private:
+    std::size_t side() const { return static_cast<std::size_t>(cells_); }
     std::size_t column(std::int64_t u) const;
     std::size_t row(std::int64_t v) const;
 
