@@ -4,8 +4,8 @@
 // light's side of R's plane. So if no corner of F is on that side F shadows nothing of R; if all
 // are on it or on the plane, whatever of R is behind F's outline is in F's shadow. Likewise if all
 // corners of R are on the side of F's plane that is away from the light, or on it; and if none is
-// away, nothing is. Else the planes cross within the facets, and the line where they meet parts what
-// is before from what is behind (Newell, Newell & Sancha 1972, whose tests of planes these are).
+// away, nothing is. Else both cross the other's plane, and the line where the planes meet parts
+// what is before from what is behind (the tests of planes of Newell, Newell & Sancha 1972).
 #pragma once
 
 #include "shadow/rivals/light_grid.hpp"

@@ -230,20 +230,23 @@ void LitPart::finish(std::uint32_t facet, PieceStore& out) const {
         if (p.count != 0) out.add(facet, true, lines_.subspan(p.first, p.count));
 }
 
-Overlap overlap(const LightLines& lines, std::span<const LineId> piece,
-                std::span<const LineId> footprint, std::span<LineId> room, CutCounts& counts) {
+bool common_part(const LightLines& lines, std::span<const LineId> piece,
+                 std::span<const LineId> footprint, std::span<LineId> room,
+                 std::span<const LineId>& inside, bool& fits, CutCounts& counts) {
     const std::size_t half = room.size() / 2;
     std::size_t turn = 0;
+    inside = piece;
     for (const LineId line : footprint) {
         LineList in{room.subspan(turn * half, half)}, out{};
-        const Part part = cut(lines, piece, line, in, out, counts);
-        if (part == Part::outside) return Overlap::no;
+        const Part part = cut(lines, inside, line, in, out, counts);
+        if (part == Part::outside) return false;
         if (part == Part::inside) continue;
-        if (!in.fits()) return Overlap::no_room;
-        piece = in.lines();
+        fits = fits && in.fits();
+        if (!fits) return false;
+        inside = in.lines();
         turn = 1 - turn;
     }
-    return Overlap::yes;
+    return true;
 }
 
 }  // namespace umbra78::shadow::rivals

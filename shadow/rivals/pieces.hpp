@@ -1,12 +1,12 @@
 // Convex pieces of facets, as lists of lines in the light's picture, and how a line cuts them.
 //
-// A piece is the points of a facet that are strictly inside each of its lines. The lines follow each
-// other around it; a corner is where two successive ones meet. No line is there that has no side of
-// the piece, so a cut never meets two lines that are one. Cut by a line, what is strictly inside and
-// what is strictly outside are pieces, too. There is a part on a side exactly if a corner is strictly
-// on that side; a corner on the line belongs to both parts and makes neither. So a piece that has
-// no area is never made, and what lies on the line itself belongs to no piece: no pixel does, since
-// its centre is moved off every line (planes.hpp).
+// A piece is the points of a facet that are strictly inside each of its lines. The lines follow
+// each other around it; a corner is where two successive ones meet. Every line has a side of the
+// piece, so two that follow each other are never one. Cut by a line, what is strictly inside and
+// what is strictly outside are pieces, too. There is a part on a side exactly if a corner is
+// strictly on that side; a corner on the line makes neither part. So a piece without area is never
+// made, and what lies on the line itself belongs to no piece: no pixel does, since its centre is
+// moved off every line (planes.hpp).
 #pragma once
 
 #include "shadow/rivals/light_lines.hpp"
@@ -86,11 +86,11 @@ private:
 struct MaskCounts {
     std::uint64_t pieces = 0;  // of facets that are seen and not attached
     std::uint64_t rows = 0;    // of pieces
-    std::uint64_t pixels = 0;  // that found their piece: each one once, if the pieces are a partition
+    std::uint64_t pixels = 0;  // that found their piece: each once, as pieces are a partition
 };
 
-// The mask: a pixel is lit if the piece in which it is, of the facet that it shows, is lit. `room`
-// has at least pieces.longest() lines; false if it has less.
+// The mask: a pixel is lit if the piece in which it is, of the facet that it shows, is lit.
+// `room` has at least pieces.longest() lines; false if it has less.
 bool mask_of_pieces(const LightLines& lines, const PieceStore& pieces,
                     std::span<const std::uint32_t> shown, std::span<ShownLine> room,
                     std::span<std::uint8_t> mask, MaskCounts& counts);
@@ -110,16 +110,16 @@ public:
     LitPart(std::span<std::byte> memory, const WorkSize& size);
 
     void begin(std::span<const LineId> outline);
-    // Takes away what is inside all lines of a footprint, and adds it to `out` as dark. A piece that
-    // has nothing inside stays whole. False if nothing was inside, or there is no room.
+    // Takes away what is inside all lines of a footprint, and adds it to `out` as dark. A piece
+    // that has nothing inside stays whole. False if nothing was inside, or there is no room.
     bool shade(const LightLines& lines, std::uint32_t facet, std::span<const LineId> footprint,
                PieceStore& out, CutCounts& counts);
     // Adds what is left to `out` as lit.
     void finish(std::uint32_t facet, PieceStore& out) const;
     bool is_dark() const { return live_ == 0; }
 
-    // False once something did not fit. Then `needed` is what would have let it go on; how much the
-    // whole takes is known only with room for it.
+    // False once something did not fit. Then needed() is what was given, or more that would have
+    // let it go on; how much the whole takes is known only with room for it.
     bool fits() const { return fits_; }
     const WorkSize& needed() const { return needed_; }
 
@@ -141,9 +141,11 @@ private:
     bool fits_ = true;
 };
 
-// Whether a piece and a footprint have points in common. Each half of `room` is to hold a piece.
-enum class Overlap : std::uint8_t { no, yes, no_room };
-Overlap overlap(const LightLines& lines, std::span<const LineId> piece,
-                std::span<const LineId> footprint, std::span<LineId> room, CutCounts& counts);
+// What of a piece is inside all lines of a footprint; false if nothing is. `inside` is the piece
+// itself, or is written to one half of `room`, while the other is used, too; `fits` becomes false
+// if a half is too short.
+bool common_part(const LightLines& lines, std::span<const LineId> piece,
+                 std::span<const LineId> footprint, std::span<LineId> room,
+                 std::span<const LineId>& inside, bool& fits, CutCounts& counts);
 
 }  // namespace umbra78::shadow::rivals

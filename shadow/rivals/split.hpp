@@ -1,12 +1,13 @@
 // Crow's second class: two passes in object space. The first by splitting (Crow 1977, "Shadow
 // Algorithms for Computer Graphics", section VI, after Sutherland 1973): each facet is cut by the
-// edges of those that can shadow it, projected from the light, into lit and dark pieces. The second
-// pass draws the pieces; it may be repeated for any eye, and asks nothing of the light.
+// edges of those that can shadow it, projected from the light, into lit and dark pieces. The
+// second pass draws the pieces; it may be repeated for any eye, and asks nothing of the light.
 //
-// For each facet R and each facet F before it (casters.hpp), each lit piece of R is cut by F's three
-// lines and, where the two cross, by the line where their planes meet. What is outside a line stays
-// lit and goes on to the next F; what is inside all of them is dark. If nothing is inside, the
-// piece is left whole. No order of the facets is needed. The method is in object_space.md.
+// For each facet R and each facet F before it (casters.hpp), each lit piece of R is cut by F's
+// three lines and, where the two cross, by the line where their planes meet. What is outside a
+// line stays lit and goes on to the next F; what is inside all of them is dark. If nothing is
+// inside, the piece is left whole. No order of the facets is needed. The method is in
+// object_space.md.
 #pragma once
 
 #include "shadow/rivals/casters.hpp"

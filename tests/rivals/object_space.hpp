@@ -1,7 +1,7 @@
 // Class 2 with memory for tests: what its parts need, and their masks.
 #pragma once
 
-#include "shadow/rivals/split.hpp"
+#include "shadow/rivals/perimeters.hpp"
 #include "tests/rivals/scenes.hpp"
 
 namespace umbra78::shadow::rivals::test {
@@ -10,6 +10,7 @@ struct Capacities {
     std::size_t meetings = 256;
     WorkSize work{256, 2048, 32};
     PieceSize pieces{1024, 8192};
+    FragmentSize fragments{512, 4096, 64};
 };
 
 // The grid, the lines and the memory of class 2, for a setting. What it makes refers to it.
@@ -37,6 +38,8 @@ public:
         lit_part_ = LitPart(work_memory_->bytes(), room.work);
         store_memory_ = std::make_unique<Memory>(PieceStore::bytes(room.pieces, facets));
         store_ = PieceStore(store_memory_->bytes(), room.pieces, facets);
+        order_memory_ = std::make_unique<Memory>(LightOrder::bytes(room.fragments, facets));
+        order_ = LightOrder(order_memory_->bytes(), room.fragments, facets);
     }
 
     // Of the facets that are seen, or of all.
@@ -46,6 +49,17 @@ public:
         Casters casters(setting_, grid_, marks_);
         split_counts_ = {};
         return rivals::split(lines_, casters, wanted, lit_part_, store_, split_counts_);
+    }
+    OrderStatus sort_from_light() {
+        Casters casters(setting_, grid_, marks_);
+        order_counts_ = {};
+        return order_.make(lines_, casters, order_counts_);
+    }
+    // After sort_from_light().
+    PieceStatus clip() {
+        Casters casters(setting_, grid_, marks_);
+        perimeter_counts_ = {};
+        return clip_by_perimeters(lines_, casters, order_, lit_part_, store_, perimeter_counts_);
     }
     std::vector<std::uint8_t> mask() {
         std::vector<std::uint8_t> mask(shown_.size());
@@ -62,12 +76,13 @@ public:
         return mask;
     }
 
-    const LightGrid& grid() const { return grid_; }
-    std::span<std::uint32_t> marks() { return marks_; }
     LightLines& lines() { return lines_; }
     LitPart& lit_part() { return lit_part_; }
     PieceStore& store() { return store_; }
+    LightOrder& order() { return order_; }
     const SplitCounts& split_counts() const { return split_counts_; }
+    const OrderCounts& order_counts() const { return order_counts_; }
+    const PerimeterCounts& perimeter_counts() const { return perimeter_counts_; }
     const MaskCounts& mask_counts() const { return mask_counts_; }
 
 private:
@@ -78,8 +93,12 @@ private:
     LightLines lines_;
     LitPart lit_part_;
     PieceStore store_;
-    std::unique_ptr<Memory> grid_memory_, lines_memory_, work_memory_, store_memory_;
+    LightOrder order_;
+    std::unique_ptr<Memory> grid_memory_, lines_memory_, work_memory_, store_memory_,
+        order_memory_;
     SplitCounts split_counts_{};
+    OrderCounts order_counts_{};
+    PerimeterCounts perimeter_counts_{};
     MaskCounts mask_counts_{};
 };
 
