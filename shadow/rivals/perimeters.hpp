@@ -20,7 +20,7 @@ struct PerimeterCounts {
     std::uint64_t joined = 0;     // of them, that are footprints
     std::uint64_t edges = 0;      // lines of the footprints
     std::uint64_t compared = 0;   // pairs of a fragment and a footprint, past boxes and planes
-    CasterCounts casters;         // of this and of the order
+    CasterCounts casters;         // of the given casters, so far
     CutCounts cuts;
 };
 

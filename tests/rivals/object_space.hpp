@@ -53,7 +53,9 @@ public:
     OrderStatus sort_from_light() {
         Casters casters(setting_, grid_, marks_);
         order_counts_ = {};
-        return order_.make(lines_, casters, order_counts_);
+        const OrderStatus status = order_.make(lines_, casters, order_counts_);
+        order_casters_ = casters.counts();
+        return status;
     }
     // After sort_from_light().
     PieceStatus clip() {
@@ -82,6 +84,7 @@ public:
     LightOrder& order() { return order_; }
     const SplitCounts& split_counts() const { return split_counts_; }
     const OrderCounts& order_counts() const { return order_counts_; }
+    const CasterCounts& order_casters() const { return order_casters_; }
     const PerimeterCounts& perimeter_counts() const { return perimeter_counts_; }
     const MaskCounts& mask_counts() const { return mask_counts_; }
 
@@ -98,6 +101,7 @@ private:
         order_memory_;
     SplitCounts split_counts_{};
     OrderCounts order_counts_{};
+    CasterCounts order_casters_{};
     PerimeterCounts perimeter_counts_{};
     MaskCounts mask_counts_{};
 };

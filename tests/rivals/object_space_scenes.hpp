@@ -101,6 +101,29 @@ inline Answered edge_on_facet() {
     return a;
 }
 
+// A random scene of words as long as they may be, many of them the longest: what the bounds of the
+// signs are derived for, and where a word too short would trap.
+inline Polygons wide_polygons(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto below = [&](std::uint32_t n) { return static_cast<std::int32_t>(random() % n); };
+    const auto word = [&](std::int32_t most) {
+        const std::int32_t v = below(2 * static_cast<std::uint32_t>(most) + 1) - most;
+        return below(2) == 0 ? v : v < 0 ? -most : most;
+    };
+    const auto point = [&] { return Point{word(max_word), word(max_word), word(max_word)}; };
+    Polygons p;
+    p.name = "wide " + std::to_string(seed);
+    p.xy_bits = 3, p.fraction = 19;
+    if (below(2) == 0) p.eye = {0, 0, -max_word, 1};
+    const std::int32_t w = below(2);
+    const std::int32_t most = w == 0 ? 1 << direction_fraction : max_word;
+    do {
+        p.light = {word(most), word(most), word(most), w};
+    } while (p.light.x == 0 && p.light.y == 0 && p.light.z == 0);
+    for (int n = 8; n > 0; --n) p.triangle(point(), point(), point());
+    return p;
+}
+
 inline std::vector<Answered> answered_scenes() {
     return {cycle_of_three(), through_each_other(), shared_edge(),
             split_in_four(), book(), edge_on_facet()};
