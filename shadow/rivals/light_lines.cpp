@@ -65,7 +65,6 @@ bool LightLines::make(const Setting& setting, std::size_t meetings, std::span<st
     setting_ = &setting;
     edges_ = edges, meetings_ = room;
     used_ = most_ = 0;
-    counts_ = {};
     const Mesh& mesh = setting.mesh;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const Edge& edge = mesh.edges[e];
@@ -87,9 +86,9 @@ LineId LightLines::side(std::uint32_t facet, std::size_t k) const {
     return LineId::edge(mesh.sides[facet][k] / 2, setting_->light.inside(mesh, facet, k));
 }
 
-std::array<LineId, 3> LightLines::outline(std::uint32_t facet) const {
+std::array<LineId, 3> LightLines::outline(std::uint32_t facet, SignCounts& counts) const {
     const LineId a = side(facet, 0), b = side(facet, 1), c = side(facet, 2);
-    return sign(a, b, c) > 0 ? std::array{a, b, c} : std::array{a, c, b};
+    return sign(a, b, c, counts) > 0 ? std::array{a, b, c} : std::array{a, c, b};
 }
 
 LineId LightLines::meeting(std::uint32_t on, std::uint32_t other, int side) {
@@ -111,9 +110,9 @@ const LightLine& LightLines::line(LineId id) const {
     return id.is_meeting() ? meetings_[id.index()].line : edges_[id.index()];
 }
 
-int LightLines::sign(LineId a, LineId b, LineId c) const {
+int LightLines::sign(LineId a, LineId b, LineId c, SignCounts& counts) const {
     const bool wide = a.is_meeting() || b.is_meeting() || c.is_meeting();
-    ++(wide ? counts_.meetings : counts_.edges);
+    ++(wide ? counts.meetings : counts.edges);
     const int s = wide ? determinant_sign<MeetingSum>(line(a), line(b), line(c))
                        : determinant_sign<Sum>(line(a), line(b), line(c));
     return s * a.inside() * b.inside() * c.inside();

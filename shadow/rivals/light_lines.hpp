@@ -97,7 +97,7 @@ public:
     // The line of side k of a facet, inside where the facet is.
     LineId side(std::uint32_t facet, std::size_t k) const;
     // The facet's three lines, in the order in which its corners turn positively (see sign).
-    std::array<LineId, 3> outline(std::uint32_t facet) const;
+    std::array<LineId, 3> outline(std::uint32_t facet, SignCounts& counts) const;
 
     // The line on `on` where the plane of `other` cuts it. Inside is where that plane's value has
     // the sign `side`. Adds it; if there is no room, only counts it, and the id is not to be used.
@@ -110,8 +110,7 @@ public:
 
     // Whether the meeting point of a and b, which follow each other in a convex piece with their
     // insides on it, is inside c: 1, on it: 0, or outside: -1.
-    int sign(LineId a, LineId b, LineId c) const;
-    const SignCounts& counts() const { return counts_; }
+    int sign(LineId a, LineId b, LineId c, SignCounts& counts) const;
 
     ShownLine shown(std::uint32_t on, LineId id) const;
 
@@ -123,7 +122,6 @@ private:
     std::span<LightLine> edges_;
     std::span<Meeting> meetings_;
     std::size_t used_ = 0, most_ = 0;
-    mutable SignCounts counts_{};
 };
 
 }  // namespace umbra78::shadow::rivals

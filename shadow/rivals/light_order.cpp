@@ -82,12 +82,12 @@ bool LightOrder::add(std::uint32_t facet, std::span<const LineId> outline) {
     return true;
 }
 
-bool LightOrder::start(const LightLines& lines) {
-    const Setting& setting = lines.setting();
+bool LightOrder::start(Pass& pass) {
+    const Setting& setting = pass.lines.setting();
     used_ = used_lines_ = placed_ = depth_ = 0;
     std::fill(heads_.begin(), heads_.end(), none);
     for (std::uint32_t f = 0; f < setting.mesh.facets.size(); ++f)
-        if (setting.light.sides[f] != 0) add(f, lines.outline(f));
+        if (setting.light.sides[f] != 0) add(f, pass.lines.outline(f, pass.counts.cuts.signs));
     if (!fits_) return false;
     for (std::uint32_t f = 0; f < by_depth_.size(); ++f) {
         by_depth_[f] = f;
@@ -210,7 +210,7 @@ bool LightOrder::place(Pass& pass, std::uint32_t fragment) {
 
 OrderStatus LightOrder::make(LightLines& lines, Casters& casters, OrderCounts& counts) {
     Pass pass{lines, casters, counts};
-    if (!start(lines)) return OrderStatus::no_room;
+    if (!start(pass)) return OrderStatus::no_room;
     for (const std::uint32_t facet : by_depth_) {
         // A fragment's later parts come first in the list.
         for (std::uint32_t f = heads_[facet]; f != none;) {

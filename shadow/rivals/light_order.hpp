@@ -76,7 +76,7 @@ public:
 private:
     struct Pass;  // the lines, casters and counts of one make()
 
-    bool start(const LightLines& lines);
+    bool start(Pass& pass);
     bool add(std::uint32_t facet, std::span<const LineId> outline);
     bool room_for(std::size_t fragments, std::size_t lines, std::size_t room);
     bool place(Pass& pass, std::uint32_t fragment);

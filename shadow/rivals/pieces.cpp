@@ -11,11 +11,11 @@ Part cut(const LightLines& lines, std::span<const LineId> piece, LineId line, Li
          LineList& outside, CutCounts& counts) {
     ++counts.tests;
     bool some_inside = false, some_outside = false;
-    const int last = lines.sign(piece.back(), piece.front(), line);
+    const int last = lines.sign(piece.back(), piece.front(), line, counts.signs);
     int before = last;
     for (std::size_t i = 0; i < piece.size(); ++i) {
         const int after =
-            i + 1 < piece.size() ? lines.sign(piece[i], piece[i + 1], line) : last;
+            i + 1 < piece.size() ? lines.sign(piece[i], piece[i + 1], line, counts.signs) : last;
         some_inside = some_inside || after > 0;
         some_outside = some_outside || after < 0;
         if (before > 0 || after > 0) inside.add(piece[i]);

@@ -20,6 +20,7 @@ struct CutCounts {
     std::uint64_t tests = 0;   // of a piece against a line
     std::uint64_t cuts = 0;    // of them, that left two parts
     std::uint64_t undone = 0;  // cuts of pieces of which, after all, nothing was in the shadow
+    SignCounts signs;
 };
 
 // A list of lines while it is written. What does not fit is counted.

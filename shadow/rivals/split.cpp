@@ -36,7 +36,7 @@ PieceStatus split(LightLines& lines, Casters& casters, std::span<const std::uint
     for (std::uint32_t r = 0; r < setting.mesh.facets.size(); ++r) {
         if (setting.light.sides[r] == 0 || (!wanted.empty() && wanted[r] == 0)) continue;
         ++counts.receivers;
-        lit_part.begin(lines.outline(r));
+        lit_part.begin(lines.outline(r, counts.cuts.signs));
         casters.for_each(r, [&](std::uint32_t f, Before before) {
             if (lit_part.is_dark()) {
                 ++counts.all_dark;

@@ -43,7 +43,7 @@ inline std::uint64_t lit_pieces(const PieceStore& store) {
 // After split().
 inline Row split_row(ObjectSpace& o, const Setting& setting, int k) {
     const SplitCounts& c = o.split_counts();
-    const SignCounts& s = o.lines().counts();
+    const SignCounts& s = c.cuts.signs;
     return {static_cast<std::uint64_t>(k), setting.mesh.facets.size(), c.receivers,
             c.casters.boxes, c.casters.casters, c.cuts.tests, c.cuts.cuts, c.cuts.undone,
             s.edges + s.meetings, o.store().needed().pieces, lit_pieces(o.store()),
@@ -54,11 +54,11 @@ inline Row split_row(ObjectSpace& o, const Setting& setting, int k) {
 inline Row perimeter_row(ObjectSpace& o, int k) {
     const OrderCounts& order = o.order_counts();
     const PerimeterCounts& c = o.perimeter_counts();
-    const SignCounts& s = o.lines().counts();
+    const SignCounts &s = order.cuts.signs, &t = c.cuts.signs;
     return {static_cast<std::uint64_t>(k), c.fragments,
             o.order_casters().boxes + c.casters.boxes, order.asked, c.joined, c.compared,
-            c.cuts.tests, c.cuts.cuts, s.edges + s.meetings, o.store().needed().pieces,
-            lit_pieces(o.store()), o.store().needed().lines};
+            c.cuts.tests, c.cuts.cuts, s.edges + s.meetings + t.edges + t.meetings,
+            o.store().needed().pieces, lit_pieces(o.store()), o.store().needed().lines};
 }
 
 // Splitting, of the facets that are seen or of all, makes the published row and brute force's mask.

@@ -21,7 +21,7 @@ TEST(Split, EqualsBruteForce) {
             ASSERT_EQ(o.mask(), expected) << "seed " << seed << ", seen " << only_seen;
             partly += o.split_counts().casters.partly;
             undone += o.split_counts().cuts.undone;
-            wide += o.lines().counts().meetings;
+            wide += o.split_counts().cuts.signs.meetings;
             pieces += o.store().needed().pieces;
         }
     }
@@ -39,7 +39,7 @@ TEST(Split, WideWordsFit) {
         ObjectSpace o(scene.setting(), scene.shown());
         ASSERT_EQ(o.split(false), PieceStatus::ok) << "seed " << seed;
         ASSERT_EQ(o.mask(), scene.brute_mask()) << "seed " << seed;
-        wide += o.lines().counts().meetings;
+        wide += o.split_counts().cuts.signs.meetings;
     }
     EXPECT_GT(wide, 10'000u);
 }
