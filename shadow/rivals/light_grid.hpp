@@ -34,6 +34,8 @@ public:
     explicit LightPicture(const Centre& light);
 
     int faces() const { return light_.w == 0 ? 1 : 6; }
+    // Of a direction: the axis that is dropped, then those of u and v.
+    const std::array<std::size_t, 3>& axes() const { return axis_; }
     // The facet's box on a face; false if it has none there.
     bool box(const std::array<Point, 3>& corners, int face, LightBox& out) const;
     // Of the point of a facet's plane that a pixel shows. u and v are rounded down.

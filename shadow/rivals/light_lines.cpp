@@ -1,0 +1,138 @@
+#include "shadow/rivals/light_lines.hpp"
+
+namespace umbra78::shadow::rivals {
+namespace {
+
+struct LightLinePieces {
+    std::span<LightLine> edges;
+    std::span<Meeting> meetings;
+};
+
+LightLinePieces lay_out(Carver& carver, const Mesh& mesh, std::size_t meetings) {
+    return {carver.take<LightLine>(mesh.edges.size()), carver.take<Meeting>(meetings)};
+}
+
+template <class Int>
+int determinant_sign(const LightLine& a, const LightLine& b, const LightLine& c) {
+    const auto minor = [&](std::size_t i, std::size_t j) {
+        return Int(a.v[i]) * Int(b.v[j]) - Int(a.v[j]) * Int(b.v[i]);
+    };
+    const Int det = Int(c.v[0]) * minor(1, 2) + Int(c.v[1]) * minor(2, 0) +
+                    Int(c.v[2]) * minor(0, 1);
+    return det.is_negative() ? -1 : det.is_zero() ? 0 : 1;
+}
+
+}  // namespace
+
+// --- on the screen --------------------------------------------------------------------------
+
+// Ties as in planes.hpp.
+int ShownLine::sign_at(std::int64_t px, std::int64_t py) const {
+    const auto sign_of = [](const Word& v) { return v.is_negative() ? -1 : v.is_zero() ? 0 : 1; };
+    const int s = sign_of(x * px + y * py + c);
+    if (s != 0) return s;
+    return !x.is_zero() ? sign_of(x) : sign_of(y);
+}
+
+// Along a row the sign changes once at most.
+Run ShownLine::inside(const Space& space, const Run& run, int row) const {
+    if (run.empty()) return run;
+    const auto is_inside = [&](int column) {
+        return sign_at(space.centre(column), space.centre(row)) > 0;
+    };
+    const bool first = is_inside(run.from), last = is_inside(run.to - 1);
+    if (first == last) return first ? run : Run{run.from, run.from};
+    int before = run.from, after = run.to - 1;
+    while (after - before > 1) {
+        const int middle = before + (after - before) / 2;
+        (is_inside(middle) == first ? before : after) = middle;
+    }
+    return first ? Run{run.from, after} : Run{after, run.to};
+}
+
+// --- the lines ------------------------------------------------------------------------------
+
+std::size_t LightLines::bytes(const Mesh& mesh, std::size_t meetings) {
+    Carver carver(static_cast<std::byte*>(nullptr));
+    lay_out(carver, mesh, meetings);
+    return carver.used();
+}
+
+bool LightLines::make(const Setting& setting, std::size_t meetings, std::span<std::byte> memory) {
+    Carver carver(memory);
+    const auto [edges, room] = lay_out(carver, setting.mesh, meetings);
+    if (!carver.fits()) return false;
+    setting_ = &setting;
+    edges_ = edges, meetings_ = room;
+    used_ = most_ = 0;
+    const Mesh& mesh = setting.mesh;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const Edge& edge = mesh.edges[e];
+        edges_[e] = {numbers(plane_through(setting.light.centre, mesh.vertices[edge.low],
+                                           mesh.vertices[edge.high]))};
+    }
+    return true;
+}
+
+std::array<Sum, 3> LightLines::numbers(const Plane& plane) const {
+    const Centre& light = setting_->light.centre;
+    if (light.w != 0) return {plane.n[0], plane.n[1], plane.n[2]};
+    const auto [d, a, b] = LightPicture(light).axes();
+    return {plane.n[a], plane.n[b], plane.d};
+}
+
+LineId LightLines::side(std::uint32_t facet, std::size_t k) const {
+    const Mesh& mesh = setting_->mesh;
+    return LineId::edge(mesh.sides[facet][k] / 2, setting_->light.inside(mesh, facet, k));
+}
+
+std::array<LineId, 3> LightLines::outline(std::uint32_t facet, SignCounts& counts) const {
+    const LineId a = side(facet, 0), b = side(facet, 1), c = side(facet, 2);
+    return sign(a, b, c, counts) > 0 ? std::array{a, b, c} : std::array{a, c, b};
+}
+
+LineId LightLines::meeting(std::uint32_t on, std::uint32_t other, int side) {
+    const std::size_t index = used_++;
+    most_ = std::max(most_, used_);
+    if (index >= meetings_.size()) return {};
+    const Plane a = setting_->mesh.plane(on), f = setting_->mesh.plane(other);
+    const Centre& light = setting_->light.centre;
+    const Sum at_a = a.at(light), at_f = f.at(light);
+    const auto va = numbers(a), vf = numbers(f);
+    Meeting& m = meetings_[index];
+    m = {on, other, at_a, at_f, {}};
+    for (std::size_t k = 0; k < 3; ++k) m.line.v[k] = at_a * vf[k] - at_f * va[k];
+    // On A the line's value is that of F times A . L.
+    return LineId::meeting(static_cast<std::uint32_t>(index), side * setting_->light.sides[on]);
+}
+
+const LightLine& LightLines::line(LineId id) const {
+    return id.is_meeting() ? meetings_[id.index()].line : edges_[id.index()];
+}
+
+int LightLines::sign(LineId a, LineId b, LineId c, SignCounts& counts) const {
+    const bool wide = a.is_meeting() || b.is_meeting() || c.is_meeting();
+    ++(wide ? counts.meetings : counts.edges);
+    const int s = wide ? determinant_sign<MeetingSum>(line(a), line(b), line(c))
+                       : determinant_sign<Sum>(line(a), line(b), line(c));
+    return s * a.inside() * b.inside() * c.inside();
+}
+
+// The plane lambda at the points of the facet `on`.
+ShownLine LightLines::shown(std::uint32_t on, LineId id) const {
+    const Setting& s = *setting_;
+    const SeenPlane& plane = s.planes[on];
+    using Word = ShownLine::Word;
+    const Word inside = id.inside();
+    if (!id.is_meeting()) {
+        const ScreenLine l = meet(plane, s.light.edges[id.index()]);
+        return {Word(l.x) * inside, Word(l.y) * inside, Word(l.c) * inside};
+    }
+    const Meeting& m = meetings_[id.index()];
+    const ScreenLine f = meet(plane, s.planes[m.other]), a = meet(plane, s.planes[m.on]);
+    const Word at_a = Word(m.on_at_light) * inside, at_f = Word(m.other_at_light) * inside;
+    return {at_a * Word(f.x) - at_f * Word(a.x), at_a * Word(f.y) - at_f * Word(a.y),
+            at_a * Word(f.c) - at_f * Word(a.c)};
+}
+
+}  // namespace umbra78::shadow::rivals

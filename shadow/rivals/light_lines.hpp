@@ -1,0 +1,127 @@
+// Lines of the light's picture, and the one sign that class 2 needs: of three of them.
+//
+// Each line by which a surface is cut into lit and dark is a plane through the light: that of an
+// edge (what it parts is the shadow's border), or that of the line where the planes of two facets
+// A and F meet (where one of them comes out of the other),
+//
+//   lambda = (A . L) F - (F . L) A          lambda . L = 0
+//
+// Seen from the light such planes are lines, on whatever surface they fall, and the point where two
+// of them meet on a surface is before or behind a third whatever the surface. So a polygon of class
+// 2 is a list of lines; it has no coordinates, none are rounded, and the sign
+//
+//   det(a, b, c)   of c at the meeting of a and b
+//
+// has the words of the scene in it and nothing constructed from constructed things. The three
+// numbers of a line are, for a light at a place, the plane's normal (a point of the picture is a
+// direction from the light); for a direction L whose component d is the largest, those of the
+// normal but n[d], and the offset (a point of the picture is P moved along L to where P[d] = 0).
+//
+// Bits (planes.hpp). A number of an edge's line has normal_bits or offset_bits, and no two have
+// offset_bits in one product: 2 normal_bits + offset_bits + 3. Of a meeting line the numbers have
+// as many more as F . L has.
+#pragma once
+
+#include "shadow/rivals/light_grid.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace umbra78::shadow::rivals {
+
+// A line and its inside: the side where its value has the sign `inside`.
+class LineId {
+public:
+    constexpr LineId() = default;
+    static constexpr LineId edge(std::uint32_t index, int inside) {
+        return LineId(index << 1 | (inside < 0 ? 1u : 0u));
+    }
+    static constexpr LineId meeting(std::uint32_t index, int inside) {
+        return LineId(meeting_bit | index << 1 | (inside < 0 ? 1u : 0u));
+    }
+    constexpr bool is_meeting() const { return (word_ & meeting_bit) != 0; }
+    constexpr std::uint32_t index() const { return (word_ & ~meeting_bit) >> 1; }
+    constexpr int inside() const { return (word_ & 1) != 0 ? -1 : 1; }
+    constexpr LineId turned() const { return LineId(word_ ^ 1u); }
+    constexpr bool operator==(const LineId&) const = default;
+
+private:
+    static constexpr std::uint32_t meeting_bit = std::uint32_t{1} << 31;
+    constexpr explicit LineId(std::uint32_t word) : word_(word) {}
+    std::uint32_t word_ = 0;
+};
+
+struct LightLine {
+    std::array<Sum, 3> v;
+};
+
+// Where the planes of two facets meet.
+struct Meeting {
+    std::uint32_t on, other;
+    Sum on_at_light, other_at_light;
+    LightLine line;
+};
+
+// F . L, as pi . E in planes.hpp.
+inline constexpr int at_light_bits = offset_bits + 1;
+inline constexpr int edge_sign_bits = 2 * normal_bits + offset_bits + 3;
+inline constexpr int meeting_sign_bits = edge_sign_bits + 3 * (at_light_bits + 1);
+using MeetingSum = fixed::WideInt<7>;
+static_assert(edge_sign_bits < Sum::bits && meeting_sign_bits < MeetingSum::bits);
+
+// A line as the eye sees it on one facet's plane; positive inside.
+struct ShownLine {
+    using Word = fixed::WideInt<4>;
+    Word x, y, c;
+
+    int sign_at(std::int64_t px, std::int64_t py) const;
+    // The columns of a run at which the sign is positive.
+    Run inside(const Space& space, const Run& run, int row) const;
+};
+// Of a meeting line on a third facet: F . L times a ScreenLine, twice, and a pixel.
+static_assert(line_bits + at_light_bits + 1 + word_bits + 2 < ShownLine::Word::bits);
+
+struct SignCounts {
+    std::uint64_t edges = 0;     // signs of three edges' lines
+    std::uint64_t meetings = 0;  // signs with a meeting line among the three
+};
+
+class LightLines {
+public:
+    static std::size_t bytes(const Mesh& mesh, std::size_t meetings);
+    // False if the memory is too small. `setting` is kept by reference.
+    bool make(const Setting& setting, std::size_t meetings, std::span<std::byte> memory);
+
+    const Setting& setting() const { return *setting_; }
+    // The line of side k of a facet, inside where the facet is.
+    LineId side(std::uint32_t facet, std::size_t k) const;
+    // The facet's three lines, in the order in which its corners turn positively (see sign).
+    std::array<LineId, 3> outline(std::uint32_t facet, SignCounts& counts) const;
+
+    // The line on `on` where the plane of `other` cuts it. Inside is where that plane's value has
+    // the sign `side`. Adds it; if there is no room, only counts it, and the id is not to be used.
+    LineId meeting(std::uint32_t on, std::uint32_t other, int side);
+    std::size_t meetings() const { return used_; }
+    std::size_t meetings_needed() const { return most_; }
+    bool fits() const { return most_ <= meetings_.size(); }
+    // Forgets the meetings from `count` on.
+    void release(std::size_t count) { used_ = count; }
+
+    // Whether the meeting point of a and b, which follow each other in a convex piece with their
+    // insides on it, is inside c: 1, on it: 0, or outside: -1.
+    int sign(LineId a, LineId b, LineId c, SignCounts& counts) const;
+
+    ShownLine shown(std::uint32_t on, LineId id) const;
+
+private:
+    const LightLine& line(LineId id) const;
+    std::array<Sum, 3> numbers(const Plane& plane) const;
+
+    const Setting* setting_ = nullptr;
+    std::span<LightLine> edges_;
+    std::span<Meeting> meetings_;
+    std::size_t used_ = 0, most_ = 0;
+};
+
+}  // namespace umbra78::shadow::rivals

@@ -1,0 +1,144 @@
+// The order from the light puts no facet after one that it hides, and clipping by footprints in
+// this order equals brute force, and so splitting, in every pixel.
+#include "tests/shadow/rivals/object_space_scenes.hpp"
+#include "tests/shadow/rivals/object_space_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace umbra78::shadow::rivals::test {
+namespace {
+
+constexpr std::uint32_t perimeter_scenes = 10'000;
+
+// How many fragments are placed after that of `on` which a pixel shows, and hide the point; 1 if
+// no fragment has the point.
+std::size_t placed_too_late(ObjectSpace& o, const Setting& s, std::uint32_t on, std::int32_t px,
+                            std::int32_t py) {
+    std::size_t late = 0;
+    bool found = false;
+    for (const std::uint32_t index : o.order().order()) {
+        const Fragment& f = o.order().at(index);
+        bool inside = true;
+        for (const LineId id : o.order().lines(f))
+            inside = inside && o.lines().shown(on, id).sign_at(px, py) > 0;
+        if (f.facet == on) found = found || inside;
+        if (found && inside && s.hides(s.light, f.facet, on, px, py)) ++late;
+    }
+    return found ? late : 1;
+}
+
+TEST(LightOrder, PutsNothingAfterWhatItHides) {
+    std::uint64_t cycles = 0;
+    for (std::uint32_t seed = 0; seed < perimeter_scenes / 10; ++seed) {
+        const Scene scene(random_polygons(seed));
+        const Setting& s = scene.setting();
+        ObjectSpace o(s, scene.shown());
+        ASSERT_EQ(o.sort_from_light(), OrderStatus::ok) << "seed " << seed;
+        cycles += o.order_counts().cycles;
+        for (std::size_t at = 0; at < scene.shown().size(); at += 3) {
+            const std::uint32_t on = scene.shown()[at];
+            if (on == nothing_seen || s.light.sides[on] == 0) continue;
+            ASSERT_EQ(placed_too_late(o, s, on, s.space.centre(static_cast<int>(at % 8)),
+                                      s.space.centre(static_cast<int>(at / 8))), 0u)
+                << "seed " << seed << ", pixel " << at;
+        }
+    }
+    EXPECT_GT(cycles, 500u);
+}
+
+TEST(Perimeters, EqualBruteForce) {
+    std::uint64_t cycles = 0, left_out = 0;
+    for (std::uint32_t seed = 0; seed < perimeter_scenes; ++seed) {
+        const Scene scene(random_polygons(seed));
+        ObjectSpace o(scene.setting(), scene.shown());
+        ASSERT_EQ(o.sort_from_light(), OrderStatus::ok) << "seed " << seed;
+        ASSERT_EQ(o.clip(), PieceStatus::ok) << "seed " << seed;
+        ASSERT_EQ(o.mask(), scene.brute_mask()) << "seed " << seed;
+        cycles += o.order_counts().cycles;
+        left_out += o.perimeter_counts().fragments - o.perimeter_counts().joined;
+        if (seed % 16 != 0) continue;
+        for (std::size_t at = 0; at < scene.shown().size(); ++at) {
+            const std::uint32_t on = scene.shown()[at];
+            if (on == nothing_seen || scene.setting().attached(on)) continue;
+            ASSERT_EQ(pieces_at(o.lines(), o.store(), on, at), 1u)
+                << "seed " << seed << ", pixel " << at;
+        }
+    }
+    EXPECT_GT(cycles, 5'000u);
+    EXPECT_GT(left_out, 5'000u);
+}
+
+// The widest words, with lines of meetings on third facets: a bound that is too small would trap.
+TEST(Perimeters, WideWordsFit) {
+    std::uint64_t cycles = 0;
+    for (std::uint32_t seed = 0; seed < perimeter_scenes / 20; ++seed) {
+        const Scene scene(wide_polygons(seed));
+        ObjectSpace o(scene.setting(), scene.shown());
+        ASSERT_EQ(o.sort_from_light(), OrderStatus::ok) << "seed " << seed;
+        ASSERT_EQ(o.clip(), PieceStatus::ok) << "seed " << seed;
+        ASSERT_EQ(o.mask(), scene.brute_mask()) << "seed " << seed;
+        cycles += o.order_counts().cycles;
+    }
+    EXPECT_GT(cycles, 500u);
+}
+
+TEST(Perimeters, CountTheAreasOfNamedScenes) {
+    for (const Answered& a : answered_scenes()) {
+        const Scene scene(a.polygons);
+        ObjectSpace o(scene.setting(), scene.shown());
+        ASSERT_EQ(o.sort_from_light(), OrderStatus::ok) << a.polygons.name;
+        ASSERT_EQ(o.clip(), PieceStatus::ok) << a.polygons.name;
+        const auto mask = o.mask();
+        EXPECT_EQ(static_cast<std::size_t>(std::count(mask.begin(), mask.end(), dark)),
+                  a.dark_pixels) << a.polygons.name;
+        EXPECT_EQ(mask, scene.brute_mask()) << a.polygons.name;
+        const bool has_cycle =
+            a.polygons.name == "cycle_of_three" || a.polygons.name == "through_each_other";
+        EXPECT_EQ(o.order_counts().cycles > 0, has_cycle) << a.polygons.name;
+    }
+}
+
+TEST(Perimeters, CountsOfTheFiguresScene) {
+    for (const int levels : {1, 2, 3}) {
+        const FiguresScene scene(levels);
+        check_perimeters(scene, 1 << levels);
+    }
+}
+
+TEST(Perimeters, SayWhatDoesNotFit) {
+    const Scene scene(cycle_of_three().polygons);
+    ObjectSpace o(scene.setting(), scene.shown());
+    ASSERT_EQ(o.sort_from_light(), OrderStatus::ok);
+    ASSERT_EQ(o.clip(), PieceStatus::ok);
+    const auto expected = o.mask();
+    const PieceSize exact = o.store().needed();
+    const std::size_t meetings = o.lines().meetings_needed();
+    ASSERT_GT(meetings, 0u);
+    o.give({meetings, {256, 2048, 32}, {exact.pieces - 1, exact.lines}});
+    ASSERT_EQ(o.sort_from_light(), OrderStatus::ok);
+    EXPECT_EQ(o.clip(), PieceStatus::no_room);
+    EXPECT_EQ(o.store().needed().pieces, exact.pieces);
+    o.give({meetings - 1, {256, 2048, 32}, exact});
+    EXPECT_EQ(o.sort_from_light(), OrderStatus::no_meetings);
+
+    // The order's room grows by what it says until it is enough.
+    FragmentSize size{};
+    int tries = 0;
+    for (;; ++tries) {
+        o.give({meetings, {256, 2048, 32}, exact, size});
+        const OrderStatus status = o.sort_from_light();
+        if (status == OrderStatus::ok) break;
+        ASSERT_EQ(status, OrderStatus::no_room);
+        const FragmentSize needed = o.order().needed();
+        ASSERT_TRUE(needed.fragments > size.fragments || needed.lines > size.lines ||
+                    needed.room > size.room);
+        size = needed;
+        ASSERT_LT(tries, 100);
+    }
+    EXPECT_GT(tries, 1);
+    ASSERT_EQ(o.clip(), PieceStatus::ok);
+    EXPECT_EQ(o.mask(), expected);
+}
+
+}  // namespace
+}  // namespace umbra78::shadow::rivals::test

@@ -1,0 +1,128 @@
+// Splitting equals brute force in every pixel, its pieces are a partition, and what does not fit is
+// said.
+#include "tests/shadow/rivals/object_space_scenes.hpp"
+#include "tests/shadow/rivals/object_space_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace umbra78::shadow::rivals::test {
+namespace {
+
+constexpr std::uint32_t split_scenes = 10'000;
+
+TEST(Split, EqualsBruteForce) {
+    std::uint64_t partly = 0, undone = 0, wide = 0, pieces = 0;
+    for (std::uint32_t seed = 0; seed < split_scenes; ++seed) {
+        const Scene scene(random_polygons(seed));
+        const auto expected = scene.brute_mask();
+        for (const bool only_seen : {true, false}) {
+            ObjectSpace o(scene.setting(), scene.shown());
+            ASSERT_EQ(o.split(only_seen), PieceStatus::ok) << "seed " << seed;
+            ASSERT_EQ(o.mask(), expected) << "seed " << seed << ", seen " << only_seen;
+            partly += o.split_counts().casters.partly;
+            undone += o.split_counts().cuts.undone;
+            wide += o.split_counts().cuts.signs.meetings;
+            pieces += o.store().needed().pieces;
+        }
+    }
+    EXPECT_GT(partly, 1'000u);  // of planes that cross
+    EXPECT_GT(undone, 1'000u);
+    EXPECT_GT(wide, 10'000u);
+    EXPECT_GT(pieces, 30'000u);
+}
+
+// The widest words: a bound that is too small would trap.
+TEST(Split, WideWordsFit) {
+    std::uint64_t wide = 0;
+    for (std::uint32_t seed = 0; seed < split_scenes / 10; ++seed) {
+        const Scene scene(wide_polygons(seed));
+        ObjectSpace o(scene.setting(), scene.shown());
+        ASSERT_EQ(o.split(false), PieceStatus::ok) << "seed " << seed;
+        ASSERT_EQ(o.mask(), scene.brute_mask()) << "seed " << seed;
+        wide += o.split_counts().cuts.signs.meetings;
+    }
+    EXPECT_GT(wide, 10'000u);
+}
+
+TEST(Split, PiecesAreAPartition) {
+    for (std::uint32_t seed = 0; seed < split_scenes / 4; ++seed) {
+        const Scene scene(random_polygons(seed));
+        ObjectSpace o(scene.setting(), scene.shown());
+        ASSERT_EQ(o.split(), PieceStatus::ok);
+        for (std::size_t at = 0; at < scene.shown().size(); ++at) {
+            const std::uint32_t on = scene.shown()[at];
+            if (on == nothing_seen || scene.setting().attached(on)) continue;
+            ASSERT_EQ(pieces_at(o.lines(), o.store(), on, at), 1u)
+                << "seed " << seed << ", pixel " << at;
+        }
+    }
+}
+
+TEST(Split, CountsTheAreasOfNamedScenes) {
+    for (const Answered& a : answered_scenes()) {
+        const Scene scene(a.polygons);
+        ObjectSpace o(scene.setting(), scene.shown());
+        ASSERT_EQ(o.split(), PieceStatus::ok) << a.polygons.name;
+        const auto mask = o.mask();
+        EXPECT_EQ(static_cast<std::size_t>(std::count(mask.begin(), mask.end(), dark)),
+                  a.dark_pixels) << a.polygons.name;
+        for (std::size_t at = 0; at < mask.size(); ++at) {
+            const double x = static_cast<double>(at % 64) - 31.5;
+            const double y = static_cast<double>(at / 64) - 31.5;
+            ASSERT_EQ(mask[at] == dark, a.is_dark(x, y)) << a.polygons.name << " at " << at;
+        }
+        EXPECT_EQ(mask, scene.brute_mask()) << a.polygons.name;
+    }
+}
+
+TEST(Split, CountsOfTheFiguresScene) {
+    for (const int levels : {1, 2, 3}) {
+        const FiguresScene scene(levels);
+        check_split(scene, 1 << levels, true);
+        check_split(scene, 1 << levels, false);
+    }
+}
+
+// --- capacities -----------------------------------------------------------------------------
+
+TEST(Split, SaysWhatDoesNotFit) {
+    const Scene scene(through_each_other().polygons);
+    ObjectSpace o(scene.setting(), scene.shown());
+    ASSERT_EQ(o.split(false), PieceStatus::ok);
+    const auto expected = o.mask();
+    const PieceSize exact = o.store().needed();
+    const std::size_t meetings = o.lines().meetings_needed();
+    ASSERT_GT(meetings, 0u);
+
+    // The store says exactly how much it takes.
+    for (const PieceSize& less : {PieceSize{exact.pieces - 1, exact.lines},
+                                  PieceSize{exact.pieces, exact.lines - 1}, PieceSize{}}) {
+        o.give({meetings, {256, 2048, 32}, less});
+        EXPECT_EQ(o.split(false), PieceStatus::no_room);
+        EXPECT_EQ(o.store().needed().pieces, exact.pieces);
+        EXPECT_EQ(o.store().needed().lines, exact.lines);
+    }
+    o.give({meetings - 1, {256, 2048, 32}, exact});
+    EXPECT_EQ(o.split(false), PieceStatus::no_meetings);
+    EXPECT_EQ(o.lines().meetings_needed(), meetings);
+
+    // The work's room grows by what it says until it is enough.
+    WorkSize work{};
+    int tries = 0;
+    for (;; ++tries) {
+        o.give({meetings, work, exact});
+        const PieceStatus status = o.split(false);
+        if (status == PieceStatus::ok) break;
+        ASSERT_EQ(status, PieceStatus::no_work_room);
+        const WorkSize needed = o.lit_part().needed();
+        ASSERT_TRUE(needed.pieces > work.pieces || needed.lines > work.lines ||
+                    needed.longest > work.longest);
+        work = needed;
+        ASSERT_LT(tries, 100);
+    }
+    EXPECT_GT(tries, 1);
+    EXPECT_EQ(o.mask(), expected);
+}
+
+}  // namespace
+}  // namespace umbra78::shadow::rivals::test
