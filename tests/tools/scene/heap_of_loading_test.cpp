@@ -1,5 +1,6 @@
 // The heap that reading a scene takes: operator new is counted, so that a scene of 100 000 patches
 // can be read in the memory that README.md names, without reading one here.
+#include "tests/support/effort.hpp"
 #include "tools/scene/scene.hpp"
 
 #include <gtest/gtest.h>
