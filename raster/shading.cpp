@@ -138,7 +138,7 @@ Toward toward_eye(const View& view, hw::WordFormat object) {
 BlockShading::BlockShading(const std::array<Component, 3>& world, const ShadingSpec& spec,
                            const Material& material)
     : spec_(spec), material_(material) {
-    if (spec.rule == ShadingRule::none) return;
+    if (!spec.makes_normals()) return;
     for (std::size_t v = 0; v < 2; ++v) {
         for (std::size_t u = 0; u < 2; ++u) {
             normal_[2 * v + u] = corner_normal(world, v, u);
@@ -194,6 +194,17 @@ Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Ma
 
 UnitVector BlockShading::toward(const Toward& to, int i, int j) const {
     return to.to_point ? direction(to, at_leaf(place_, i, j)) : to.direction;
+}
+
+UnitVector kept_normal(UnitVector n, const UnitVector& to_viewer) {
+    if (dot(wide(n), wide(to_viewer)) < 0)
+        for (std::int32_t& k : n) k = -k;
+    return n;
+}
+
+UnitVector BlockShading::normal(const Sample& s) const {
+    return kept_normal(unit_vector(at_leaf(normal_, s.leaf_i, s.leaf_j)),
+                       toward(spec_.viewer, s.leaf_i, s.leaf_j));
 }
 
 Shades BlockShading::shade(int i, int j, Shadowed shadowed) const {

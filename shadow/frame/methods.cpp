@@ -171,7 +171,7 @@ constexpr Method post_process_method{
     .max_z_bits = 24,
     .depth_layers = 1,
     .surfaces = Surfaces::patches,
-    .plane = ExtraPlane::none,
+    .plane = ExtraPlane::normal,
     .darkness = Darkness::binary,
     .may_run_out = false,
     .takes_plane = built(Feature::surface_bias),

@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"}
 constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
 constexpr std::array<std::string_view, 3> map_depth_names{"first", "back", "midpoint"};
 constexpr std::array<std::string_view, 3> receiver_names{"point", "plane", "normal"};
+constexpr std::array<std::string_view, 2> slope_source_names{"depths", "normals"};
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
                                                        "normal"};
 constexpr std::array<std::string_view, 4> shading_names{"phong", "blinn", "lambert", "none"};
@@ -129,6 +130,10 @@ constexpr std::array table{
     decimal<UMBRA78_ACCESS(normal_offset_q8)>(
         "normal_offset", "texels", 0, 16 << 8, 8,
         "of receiver = normal: the way along the normal, in the light map's texels at the pixel"),
+    choice<UMBRA78_ACCESS(slope_source)>(
+        "slope_source", slope_source_names,
+        "a pixel's surface for receiver = plane and normal: Z differences of the observer's store, "
+        "or normals kept beside it (3 words a pixel)"),
     choice<UMBRA78_ACCESS(dither.shape)>(
         "dither", dither_names,
         "noise on the light's X and Y: the sum of 0, 1, 2, 4 or 12 uniform bytes"),
