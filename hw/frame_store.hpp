@@ -7,8 +7,8 @@
 // unsigned, 0 at the near plane; all ones is the background, and the code of what is drawn is
 // clamped to one less. Nearer replaces (Catmull 1974, p. 32). A tie in Z goes to the smaller
 // intensity, the smaller direct share and the smaller normal, so the result depends on what is
-// drawn and never on the order it is drawn in. A sample replaces all planes or none: its words are one
-// record.
+// drawn and never on the order it is drawn in. A sample replaces all planes or none: its words are
+// one record.
 //
 // The planes are the caller's memory. FrameStore<Depth16> can be written; FrameStore<const Depth16>
 // is what a stage takes that only reads, and each converts to it by itself.
@@ -31,7 +31,7 @@ namespace umbra78::hw {
 using Depth16 = std::uint16_t;
 using Depth32 = std::uint32_t;
 
-// A normal's components are words of 16 bits, Q1.14 with an offset; no normal has the middle one.
+// A normal's components are words of 16 bits with an offset; three middle ones are no normal.
 using NormalWord = std::uint16_t;
 inline constexpr NormalWord no_normal = 1 << 15;
 
@@ -60,7 +60,7 @@ struct FrameStore {
                direct.size() % words == 0 && (normal.empty() || normal.size() == 3 * words);
     }
     constexpr bool keeps_normals() const { return !normal.empty(); }
-    // A component, Q1.14.
+    // A component, at most 2^14.
     constexpr std::int32_t normal_at(std::size_t address, std::size_t axis) const {
         return std::int32_t{normal[axis * depth.size() + address]} - no_normal;
     }

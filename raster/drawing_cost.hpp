@@ -60,11 +60,11 @@ constexpr Operations shaded_source(int shininess, ShadingRule rule = ShadingRule
 // A further channel: an intensity, and for each source a sum and a level.
 inline constexpr Operations channel{1, 1, 1, 0, 0, 1};
 inline constexpr Operations channel_source{4, 4, 6, 0, 0, 1};
-// A normal that is kept: a leaf's is divided by its length and turned to the viewer, and its three
-// words are written. The rule none has neither the leaf's normal nor its length nor N.v. A facet's
-// is turned by its own product with V.
-inline constexpr Operations leaf_normal_kept{3, 0, 0, 3, 3 * 15, 3};
-inline constexpr Operations leaf_normal_made{9 + 2 + 2, 18 + 3 + 3, 18 + 12 + 6, 1, 30, 0};
+// A normal that is kept: a leaf's is cut to its words (8) and turned to the viewer (3), and the
+// three are written. The rule none has neither the leaf's normal nor N.v. A facet's is turned by
+// its own product with V.
+inline constexpr Operations leaf_normal_kept{8 + 3, 0, 0, 0, 0, 3};
+inline constexpr Operations leaf_normal_made{9 + 2, 18 + 3, 18 + 6, 0, 0, 0};
 inline constexpr Operations facet_normal_kept{3 + 3, 3, 3, 0, 0, 3};
 inline constexpr std::uint64_t divided_corner_bits = 31;  // X, Y and Z of each corner
 

@@ -171,7 +171,8 @@ Shades FacetShading::shade(const Sample& s, Shadowed shadowed) const {
 
 UnitVector FacetShading::normal(const Sample&) const {
     const WideVector& a = facet_[0];
-    return kept_normal(side(), direction(spec_.viewer, {1024 * a[0], 1024 * a[1], 1024 * a[2]}));
+    return kept_normal(wide(side()),
+                       direction(spec_.viewer, {1024 * a[0], 1024 * a[1], 1024 * a[2]}));
 }
 
 FacetWalk::FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,

@@ -196,14 +196,15 @@ UnitVector BlockShading::toward(const Toward& to, int i, int j) const {
     return to.to_point ? direction(to, at_leaf(place_, i, j)) : to.direction;
 }
 
-UnitVector kept_normal(UnitVector n, const UnitVector& to_viewer) {
-    if (dot(wide(n), wide(to_viewer)) < 0)
-        for (std::int32_t& k : n) k = -k;
-    return n;
+UnitVector kept_normal(const WideVector& n, const UnitVector& to_viewer) {
+    const std::int32_t sign = dot(n, wide(to_viewer)) < 0 ? -1 : 1;
+    UnitVector kept{};
+    for (std::size_t k = 0; k < 3; ++k) kept[k] = sign * static_cast<std::int32_t>(n[k]);
+    return kept;
 }
 
 UnitVector BlockShading::normal(const Sample& s) const {
-    return kept_normal(unit_vector(at_leaf(normal_, s.leaf_i, s.leaf_j)),
+    return kept_normal(scaled_to(at_leaf(normal_, s.leaf_i, s.leaf_j), kept_bits),
                        toward(spec_.viewer, s.leaf_i, s.leaf_j));
 }
 

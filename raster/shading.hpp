@@ -125,8 +125,10 @@ Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Ma
 // From a place, 1024 times as large as `toward` has it.
 UnitVector direction(const Toward& toward, const WideVector& place_1024);
 
-// Of a surface that the viewer sees: a unit normal on his side (hw/MACHINE.md, section 27).
-UnitVector kept_normal(UnitVector normal, const UnitVector& to_viewer);
+// A normal as the store keeps it: of words up to 2^14 and of any length, on the side that the
+// viewer sees (hw/MACHINE.md, section 27).
+inline constexpr int kept_bits = 14;
+UnitVector kept_normal(const WideVector& normal, const UnitVector& to_viewer);
 
 // Normals and places at a block's four corners (2 v + u), ready for its 256 leaves.
 class BlockShading {

@@ -9,6 +9,7 @@
 // skipped where they are hidden, reordered or shared out.
 #pragma once
 
+#include "hw/features.hpp"
 #include "hw/frame_store.hpp"
 #include "raster/footprint.hpp"
 #include "raster/sampling.hpp"
@@ -92,7 +93,7 @@ public:
                        "picture: the store's normals are not three planes");
     }
 
-    bool kept() const { return !normal_.empty(); }
+    bool kept() const { return hw::built(hw::Feature::surface_bias) && !normal_.empty(); }
     static Words words(const UnitVector& n) {
         const auto word = [](std::int32_t k) {
             return static_cast<hw::NormalWord>(k + hw::no_normal);

@@ -5,8 +5,8 @@
 //   D        = m_W + tilt_X m_X + tilt_Y m_Y              the normal along the ray
 //   slope_X  = -scale m_X / D                             quanta for a step of X
 //
-// In: N in Q1.14 and the light's axes in Q1.14; results of the transform unit. m has 22 fraction
-// bits and 24 bits, D at most 35.
+// In: N, of words up to 2^14 and of any length, and the light's axes in Q1.14; results of the
+// transform unit. m has 24 bits, D at most 35.
 #pragma once
 
 #include "hw/frame_store.hpp"

@@ -296,8 +296,8 @@ TEST(KeptNormal, PointsToTheObserver) {
         });
         return seen == 0 ? 0 : right / seen;
     };
-    EXPECT_EQ(up(f), 16384);
-    EXPECT_EQ(up(below), -16384);
+    EXPECT_EQ(up(f), 8192);  // 2^24, cut
+    EXPECT_EQ(up(below), -8192);
 }
 
 TEST(KeptNormal, AStoreWithoutThemIsRefused) {

@@ -6,9 +6,13 @@ from .blocks import ALONG
 from .notation import cross, dot, half_up, shift_down
 
 
-def cut30(v):
+def cut_to(v, bits):
     w = max(map(abs, v)).bit_length()
-    return [half_up(x, 1 << (w - 30)) for x in v] if w > 30 else list(v)
+    return [half_up(x, 1 << (w - bits)) for x in v] if w > bits else list(v)
+
+
+def cut30(v):
+    return cut_to(v, 30)
 
 
 def unit14(v):
@@ -116,7 +120,7 @@ class Shading:
         return tuple(result)
 
     def kept(self, normal, to_viewer):
-        """The words N of section 27 for a normal Q1.14."""
+        """The words N of section 27 for a normal of its words."""
         return tuple(-n for n in normal) if dot(normal, to_viewer) < 0 else tuple(normal)
 
     def block(self, places):
@@ -130,5 +134,5 @@ class Shading:
             to_viewer = self.viewer.at(place)
             return (*self.levels(normal, [to.at(place) for to in self.towards], to_viewer,
                                  shadowed),
-                    *(self.kept(unit14(normal), to_viewer) if self.keeps_normals else ()))
+                    *(self.kept(cut_to(normal, 14), to_viewer) if self.keeps_normals else ()))
         return levels

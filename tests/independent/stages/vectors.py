@@ -11,7 +11,7 @@ from .receiver import (Plane, Receivers, Scale, cut_normal, gradient, in_light, 
                        light_axes, moved, moved_along)
 from .samples import leaf_corners, triangle_depth, z_code
 from .settings import Settings
-from .shading import Shading, Toward, at_leaf, corner_normals, unit14
+from .shading import Shading, Toward, at_leaf, corner_normals, cut_to, unit14
 from .shadow_test import LightMap, pixel_words
 from .transform_unit import Loaded, ScreenUnit
 from .triangles import (clockwise, facet_levels, own_normal, triangle_samples, weights,
@@ -340,7 +340,7 @@ def normals(w):
         places = [take_component(w) for _ in range(3)]
         viewer, (i, j) = take_viewer(w), take(w, 2)
         corners = list(zip(*(comp[0] for comp in places)))
-        return shade.kept(unit14(at_leaf(corner_normals(places), i, j)),
+        return shade.kept(cut_to(at_leaf(corner_normals(places), i, j), 14),
                           viewer.at(at_leaf(corners, i, j)))
     if kind == "facet":
         facet = [(0, 0, 0, 1, *place) for place in triples(take(w, 9))]

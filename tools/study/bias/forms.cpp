@@ -20,6 +20,7 @@ std::string form_of(const Row& row) {
     if (row.text("receiver") == "normal")
         name = "normal offset x " + row.text("normal_offset");
     if (name.empty()) return "constant";
+    if (row.text("slope_source") == "normals") name += ", kept normals";
     if (row.number("bias_clamp") > 0)
         name += fmt::format(", at most {} quanta", row.text("bias_clamp"));
     return name;
