@@ -34,7 +34,7 @@
     X(lights, "several lights, lights with area, colour") \
     X(surface_bias, "map_depth other than first, bias_slope, and receiver other than point") \
     X(ground, "form = ground and blob") \
-    X(rivals, "the rivals of the depth map: form = brute, volumes (needs dicing)")
+    X(rivals, "the rivals of the depth map: form = brute to irregular (needs dicing)")
 
 namespace umbra78::hw {
 

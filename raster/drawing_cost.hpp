@@ -60,6 +60,12 @@ constexpr Operations shaded_source(int shininess, ShadingRule rule = ShadingRule
 // A further channel: an intensity, and for each source a sum and a level.
 inline constexpr Operations channel{1, 1, 1, 0, 0, 1};
 inline constexpr Operations channel_source{4, 4, 6, 0, 0, 1};
+// A normal that is kept: a leaf's is cut to its words (8) and turned to the viewer (3), and the
+// three are written. The rule none has neither the leaf's normal nor N.v. A facet's is turned by
+// its own product with V.
+inline constexpr Operations leaf_normal_kept{8 + 3, 0, 0, 0, 0, 3};
+inline constexpr Operations leaf_normal_made{9 + 2, 18 + 3, 18 + 6, 0, 0, 0};
+inline constexpr Operations facet_normal_kept{3 + 3, 3, 3, 0, 0, 3};
 inline constexpr std::uint64_t divided_corner_bits = 31;  // X, Y and Z of each corner
 
 // A triangle begins: three edges' crossings and steps, the area, Z and its steps in X and Y.
@@ -88,9 +94,18 @@ struct SampleCost {
     int shininess = 0;
     std::size_t sources = 1, channels = 1;
     ShadingRule rule = ShadingRule::phong;
+    bool keeps_normals = false;
 
-    // Without it neither places nor normals are carried through the drawing.
+    // Whether shading is of the normal.
     bool needs_normal() const { return rule != ShadingRule::none; }
+    // Without it neither places nor normals are carried through the drawing.
+    bool makes_normals() const { return keeps_normals || needs_normal(); }
+    hw::Operations kept_normals(std::uint64_t of_leaves, std::uint64_t of_facets) const {
+        if (!keeps_normals) return {};
+        hw::Operations o = of_leaves * cost::leaf_normal_kept + of_facets * cost::facet_normal_kept;
+        if (!needs_normal()) o += of_leaves * cost::leaf_normal_made;
+        return o;
+    }
     hw::Operations operations() const {
         hw::Operations o = cost::shaded_sample(shininess, rule);
         o += (sources - 1) * cost::shaded_source(shininess, rule);
@@ -116,7 +131,7 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
     using hw::Operations;
     constexpr std::uint64_t leaves_a_block = std::uint64_t{leaves} * leaves;
     constexpr std::uint64_t corners_a_block = std::uint64_t{corners} * corners;
-    const bool normals = shades && sample.needs_normal();
+    const bool normals = shades && sample.makes_normals();
     const std::uint64_t screen = affine ? 3 : 4, components = screen + (normals ? 3 : 0);
     const auto transform = static_cast<std::uint64_t>(
         hw::transform_cycles(spec, affine) * spec.multipliers);  // an idle multiplier counts
@@ -141,13 +156,15 @@ inline hw::Operations drawing_operations(const DrawCounts& counts, const Machine
         o += leaves_drawn * cost::leaf_mean + of_patches * cost::leaf_sample;
     }
     o += counts.diced_vertices * cost::diced_vertex;
-    if (normals) o += counts.diced_vertices * cost::diced_normal;
+    if (shades && sample.needs_normal()) o += counts.diced_vertices * cost::diced_normal;
     o += counts.triangles * cost::triangle_setup + counts.triangle_lines * cost::triangle_line +
          counts.facet_samples * cost::triangle_sample;
     if (normals)
-        o += 4 * counts.blocks * cost::corner_normal + counts.facets * cost::facet_normal +
-             counts.facet_samples * cost::corner_weights;
-    if (shades) o += counts.samples * sample.operations();
+        o += 4 * counts.blocks * cost::corner_normal + counts.facets * cost::facet_normal;
+    if (shades && sample.needs_normal()) o += counts.facet_samples * cost::corner_weights;
+    if (shades)
+        o += counts.samples * sample.operations() +
+             sample.kept_normals(of_patches, counts.facet_samples);
     return o;
 }
 

@@ -169,6 +169,12 @@ Shades FacetShading::shade(const Sample& s, Shadowed shadowed) const {
     return raster::shade(used, spec_, material_, shadowed);
 }
 
+UnitVector FacetShading::normal(const Sample&) const {
+    const WideVector& a = facet_[0];
+    return kept_normal(wide(side()),
+                       direction(spec_.viewer, {1024 * a[0], 1024 * a[1], 1024 * a[2]}));
+}
+
 FacetWalk::FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,
                      hw::UnitWork work, bool shades)
     : spec_(spec), unit_(spec, matrix, object, work), object_(object), shades_(shades),

@@ -62,6 +62,8 @@ public:
 
     // At a covered pixel's centre.
     Shades shade(const Sample& s, Shadowed shadowed) const;
+    // What the store keeps of every sample: the facet's own normal.
+    UnitVector normal(const Sample&) const;
 
 private:
     using Weights = std::array<std::int64_t, 3>;  // of 1024

@@ -138,7 +138,7 @@ Toward toward_eye(const View& view, hw::WordFormat object) {
 BlockShading::BlockShading(const std::array<Component, 3>& world, const ShadingSpec& spec,
                            const Material& material)
     : spec_(spec), material_(material) {
-    if (spec.rule == ShadingRule::none) return;
+    if (!spec.makes_normals()) return;
     for (std::size_t v = 0; v < 2; ++v) {
         for (std::size_t u = 0; u < 2; ++u) {
             normal_[2 * v + u] = corner_normal(world, v, u);
@@ -194,6 +194,18 @@ Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Ma
 
 UnitVector BlockShading::toward(const Toward& to, int i, int j) const {
     return to.to_point ? direction(to, at_leaf(place_, i, j)) : to.direction;
+}
+
+UnitVector kept_normal(const WideVector& n, const UnitVector& to_viewer) {
+    const std::int32_t sign = dot(n, wide(to_viewer)) < 0 ? -1 : 1;
+    UnitVector kept{};
+    for (std::size_t k = 0; k < 3; ++k) kept[k] = sign * static_cast<std::int32_t>(n[k]);
+    return kept;
+}
+
+UnitVector BlockShading::normal(const Sample& s) const {
+    return kept_normal(scaled_to(at_leaf(normal_, s.leaf_i, s.leaf_j), kept_bits),
+                       toward(spec_.viewer, s.leaf_i, s.leaf_j));
 }
 
 Shades BlockShading::shade(int i, int j, Shadowed shadowed) const {

@@ -75,8 +75,10 @@ struct ShadingSpec {
     std::size_t source_count = 1;
     std::size_t channels = 1;
     ShadingRule rule = ShadingRule::phong;
+    bool keeps_normals = false;  // they are made whatever the rule
 
     ShadingSpec() = default;
+    bool makes_normals() const { return keeps_normals || rule != ShadingRule::none; }
     // A grey frame with one source.
     ShadingSpec(std::int32_t ambient, const Toward& light, const Toward& to_viewer)
         : ambient_q8(ambient), viewer(to_viewer) {
@@ -123,6 +125,11 @@ Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Ma
 // From a place, 1024 times as large as `toward` has it.
 UnitVector direction(const Toward& toward, const WideVector& place_1024);
 
+// A normal as the store keeps it: of words up to 2^14 and of any length, on the side that the
+// viewer sees (hw/MACHINE.md, section 27).
+inline constexpr int kept_bits = 14;
+UnitVector kept_normal(const WideVector& normal, const UnitVector& to_viewer);
+
 // Normals and places at a block's four corners (2 v + u), ready for its 256 leaves.
 class BlockShading {
 public:
@@ -134,6 +141,8 @@ public:
     Shades shade(const Sample& s, Shadowed shadowed) const {
         return shade(s.leaf_i, s.leaf_j, shadowed);
     }
+    // What the store keeps of the sample's leaf.
+    UnitVector normal(const Sample& s) const;
 
 private:
     UnitVector toward(const Toward& to, int i, int j) const;

@@ -1,17 +1,22 @@
 // The sinks that keep samples in a frame store: DepthSink Z alone (the light's view), PictureSink
 // Z, and for each channel the intensity and the direct shares (the observer's). hw/MACHINE.md,
 // sections 8 and 23.
+// A store that keeps normals gets them with the rest of the record (section 27).
 //
-// A nearer sample replaces what is stored; at equal Z the smaller (intensity, direct shares) does.
+// A nearer sample replaces what is stored; at equal Z the smaller (intensity, direct shares,
+// normal) does.
 // So the store holds the smallest record in whatever order the samples come, and blocks may be
 // skipped where they are hidden, reordered or shared out.
 #pragma once
 
+#include "hw/features.hpp"
 #include "hw/frame_store.hpp"
 #include "raster/footprint.hpp"
 #include "raster/sampling.hpp"
 #include "raster/shading.hpp"
 
+#include <array>
+#include <compare>
 #include <cstdint>
 
 namespace umbra78::raster {
@@ -76,12 +81,43 @@ private:
     std::size_t pixels_, channels_ = 1, sources_ = 1;
 };
 
+// A normal as the store keeps it.
+template <class Depth>
+class NormalPlanes {
+public:
+    using Words = std::array<hw::NormalWord, 3>;
+
+    explicit NormalPlanes(const hw::FrameStore<Depth>& store)
+        : normal_(store.normal), pixels_(store.depth.size()) {
+        fixed::require(normal_.empty() || normal_.size() == 3 * pixels_,
+                       "picture: the store's normals are not three planes");
+    }
+
+    bool kept() const { return hw::built(hw::Feature::surface_bias) && !normal_.empty(); }
+    static Words words(const UnitVector& n) {
+        const auto word = [](std::int32_t k) {
+            return static_cast<hw::NormalWord>(k + hw::no_normal);
+        };
+        return {word(n[0]), word(n[1]), word(n[2])};
+    }
+    Words at(std::size_t address) const {
+        return {normal_[address], normal_[pixels_ + address], normal_[2 * pixels_ + address]};
+    }
+    void put(std::size_t address, const Words& words) const {
+        for (std::size_t k = 0; k < 3; ++k) normal_[k * pixels_ + address] = words[k];
+    }
+
+private:
+    std::span<hw::NormalWord> normal_;
+    std::size_t pixels_;
+};
+
 template <class Depth>
 class PictureSink {
 public:
     static constexpr bool shades = true;
 
-    PictureSink(hw::FrameStore<Depth>& store) : store_(store), planes_(store) {}
+    PictureSink(hw::FrameStore<Depth>& store) : store_(store), planes_(store), normals_(store) {}
 
     bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
     template <class Shading>
@@ -94,15 +130,21 @@ public:
         const std::size_t a = store_.address(s.px, s.py);
         if (code > store_.depth[a]) return false;
         const Shades shade = shading->shade(s, 0);
-        if (code == store_.depth[a] && shade >= planes_.at(a)) return false;
+        if (code == store_.depth[a]) {
+            const std::strong_ordering order = shade <=> planes_.at(a);
+            if (order > 0 || (order == 0 && !normals_.kept())) return false;
+            if (order == 0 && normals_.words(shading->normal(s)) >= normals_.at(a)) return false;
+        }
         store_.depth[a] = static_cast<Depth>(code);
         planes_.put(a, shade);
+        if (normals_.kept()) normals_.put(a, normals_.words(shading->normal(s)));
         return true;
     }
 
 private:
     hw::FrameStore<Depth>& store_;
     ShadePlanes<Depth> planes_;
+    NormalPlanes<Depth> normals_;
 };
 
 }  // namespace umbra78::raster

@@ -60,4 +60,15 @@ LightScale light_scale(const raster::View& light, const hw::MachineSpec& spec,
     return scale;
 }
 
+LightAxes light_axes(const raster::View& light) {
+    const auto words = [](const raster::Axis& a, std::int32_t sign) {
+        std::array<std::int32_t, 3> w{};
+        for (std::size_t k = 0; k < 3; ++k)
+            w[k] = sign * static_cast<std::int32_t>(fixed::round_shift(
+                              a[k], raster::axis_fraction - 14, fixed::Rounding::half_up));
+        return w;
+    };
+    return {{words(light.axes.right, 1), words(light.axes.up, -1), words(light.axes.back, -1)}};
+}
+
 }  // namespace umbra78::shadow

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "raster/view.hpp"
-#include "shadow/normal_offset.hpp"
+#include "shadow/kept_normal.hpp"
 
 #include <cstdint>
 
@@ -31,5 +31,8 @@ bool bias_in_quanta(std::int64_t bias_q16, BiasUnit unit, const BiasUnits& units
 // The words of a light's measures, whose depths have the bias taken off.
 LightScale light_scale(const raster::View& light, const hw::MachineSpec& spec,
                        std::int64_t bias_quanta_q16);
+
+// The words of its axes, rounded half up from Q2.30.
+LightAxes light_axes(const raster::View& light);
 
 }  // namespace umbra78::shadow

@@ -1,11 +1,12 @@
 // How dark a pixel of the observer's frame is, by the receiver that is set: its own point, its
-// plane (shadow/receiver.hpp) or its point moved along its normal (shadow/normal_offset.hpp).
+// plane (shadow/receiver.hpp) or its point moved along its normal (shadow/normal_offset.hpp),
+// either by its neighbours or by the normal that is kept of it (shadow/kept_normal.hpp).
 //
 // Both forms of the post-process call this (shadow/post_process.cpp, shadow/sectors.cpp), each with
 // its own unit, which takes words to results.
 #pragma once
 
-#include "shadow/normal_offset.hpp"
+#include "shadow/kept_normal.hpp"
 #include "shadow/pixel_walk.hpp"
 
 #include <cstdint>
@@ -36,6 +37,30 @@ std::optional<Neighbours> neighbours_of(const hw::FrameStore<const Depth>& obser
                       (beside_x - pixel.x) * (below_y - pixel.y)};
 }
 
+template <class Depth>
+void check_normals(const hw::FrameStore<const Depth>& observer, const ShadowTest& test) {
+    fixed::require(!reads_normals(test) || observer.keeps_normals(),
+                   "shadow test: the observer's store keeps no normals");
+}
+
+// Of a pixel whose results are `p`, with the normal that is kept of it.
+template <class Depth>
+std::uint8_t darkness_by_normal(const LightMap<Depth>& map,
+                                const hw::FrameStore<const Depth>& observer, const ShadowTest& test,
+                                const WalkedPixel& at, const hw::Point& p,
+                                const ReceiverWords& receiver) {
+    const LightNormal m = kept_normal(observer, at.address, receiver.axes);
+    const int fraction = test.machine.fraction_bits;
+    if (test.receiver == Receiver::normal)
+        return darkness(map,
+                        moved_along(p, m, test.normal_offset_q8, receiver.scale.at(p, fraction),
+                                    fraction),
+                        at.dither, at.taps);
+    const ReceiverPlane plane =
+        plane_of_normal(p, m, receiver.scale, fraction, receiver.limit);
+    return darkness(map, p, at.dither, at.taps, &plane);
+}
+
 // Of a pixel whose results are `p`. One that is not visible has no surface.
 template <class Depth, class Transform>
 std::uint8_t pixel_darkness(const LightMap<Depth>& map, const hw::FrameStore<const Depth>& observer,
@@ -44,6 +69,7 @@ std::uint8_t pixel_darkness(const LightMap<Depth>& map, const hw::FrameStore<con
                             const ReceiverWords& receiver) {
     if (!hw::built(hw::Feature::surface_bias) || test.receiver == Receiver::point || !at.visible)
         return darkness(map, p, at.dither, at.taps);
+    if (reads_normals(test)) return darkness_by_normal(map, observer, test, at, p, receiver);
     const std::optional<Neighbours> by = neighbours_of(observer, transform, test, at);
     if (test.receiver == Receiver::normal) {
         const hw::Point moved =

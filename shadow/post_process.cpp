@@ -15,6 +15,7 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
     const hw::MachineSpec& spec = test.machine;
     check(maps, spec, mask);
     const hw::FrameStore<const Depth>& observer = maps.observer;
+    check_normals(observer, test);
     const hw::TransformUnit unit(spec, matrix, work.unit);
     const LightMap<Depth> map = light_map(maps.light, test);
     PostProcessCounts counts;

@@ -15,7 +15,7 @@
 
 #include "shadow/compare.hpp"
 #include "shadow/depth_maps.hpp"
-#include "shadow/normal_offset.hpp"
+#include "shadow/kept_normal.hpp"
 
 #include <array>
 #include <cstdint>
@@ -60,10 +60,12 @@ struct PostProcessCounts {
 };
 
 // What a light's test reads of its view to follow a receiver's surface: the most that its plane
-// changes a depth, in quanta (shadow/receiver.hpp), and its measures (shadow/normal_offset.hpp).
+// changes a depth, in quanta (shadow/receiver.hpp), its measures (shadow/normal_offset.hpp) and its
+// axes (shadow/kept_normal.hpp).
 struct ReceiverWords {
     std::int64_t limit = INT64_MAX;
     LightScale scale{};
+    LightAxes axes{};
 };
 
 template <class Depth>

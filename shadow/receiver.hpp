@@ -7,7 +7,7 @@
 //   change   = slope_x (to_x - x) + slope_y (to_y - y), at most the limit
 //
 // The neighbours are those in X and in Y whose codes differ less from the pixel's, so that a pixel
-// at a silhouette takes its plane from its own side. No plane of normals is kept.
+// at a silhouette takes its plane from its own side. No normal is kept.
 // In: results of the transform unit: X and Y with F fraction bits, Z in quanta. Out: quanta.
 // Slopes are words of 40 bits with 12 fraction bits: quanta for a step of X or Y.
 #pragma once

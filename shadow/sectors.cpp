@@ -14,6 +14,7 @@ public:
           map_(light_map(maps.map[static_cast<std::size_t>(number)], test)),
           receiver_(maps.receiver[static_cast<std::size_t>(number)]) {
         check_light(map_.store, test.machine);
+        check_normals(observer_, test);
         map_.is_face = true;
     }
 

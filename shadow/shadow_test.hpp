@@ -29,6 +29,10 @@ enum class Background : std::uint8_t { blend, fall_back };
 // (shadow/receiver.hpp); or its point, moved along its normal (shadow/normal_offset.hpp).
 enum class Receiver : std::uint8_t { point, plane, normal };
 
+// Where a receiver's plane or normal comes from: Z differences of the observer's store, or the
+// normals that it keeps (shadow/kept_normal.hpp).
+enum class SlopeSource : std::uint8_t { depths, normals };
+
 struct ShadowTest {
     hw::MachineSpec machine{};
     Registration registration = Registration::centre;
@@ -39,7 +43,13 @@ struct ShadowTest {
     hw::Dither dither{};
     Receiver receiver = Receiver::point;
     std::int32_t normal_offset_q8 = 1 << 8;  // texels, of receiver = normal
+    SlopeSource slope_source = SlopeSource::depths;
 };
+
+// Whether the observer's store has to keep normals.
+constexpr bool reads_normals(const ShadowTest& s) {
+    return s.receiver != Receiver::point && s.slope_source == SlopeSource::normals;
+}
 
 // Whether a lookup reads a window of taps x taps texels.
 constexpr bool has_window(Lookup lookup) {

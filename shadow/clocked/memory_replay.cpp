@@ -154,6 +154,7 @@ MemoryLedger replay(const hw::FrameStore<const Depth>& observer, const hw::Matri
     check_observer(observer, spec);
     fixed::require(settings.receiver != Receiver::normal,
                    "memory replay: it moves no point along its normal");
+    fixed::require(!reads_normals(settings), "memory replay: it has no store of normals");
     const hw::TransformUnit unit(spec, matrix);
     const bool dithered = !hw::silent(settings.dither, spec);
     fixed::require(window_in_range(settings), "lookup: a window has 2 to 5 taps a side");

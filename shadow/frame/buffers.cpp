@@ -14,6 +14,7 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
     f.observer = {spec.xy_bits, carver.take<Depth>(pixels), {}, {}};
     f.observer.intensity = planes(shape.channels);
     f.observer.direct = planes(shape.channels * shape.sources);
+    f.observer.normal = carver.take<hw::NormalWord>(shape.normals ? 3 * pixels : 0);
     std::size_t next = 0;
     for (std::size_t s = 0; s < shape.sources; ++s) {
         const std::span of_source = std::span(f.lights).subspan(next, shape.lights_of[s]);
@@ -50,6 +51,11 @@ FrameShape::FrameShape(const Scene& scene, int layers)
         sectored[s] = scene.source(s).sectored;
         graded[s] = scene.source(s).is_graded();
     }
+}
+
+FrameShape::FrameShape(const Scene& scene, const Settings& settings)
+    : FrameShape(scene, shadow::map_layers(settings)) {
+    normals = reads_normals(settings);
 }
 
 template <class Depth>

@@ -2,7 +2,7 @@
 //
 // Every plane has size_px^2 words, row by row from the top. A frame of 512 x 512 pixels with
 // 16-bit Z, one light and the 128 patches of the figures takes 3 349 248 bytes; each further light
-// of its own 1 572 864 more (a map, a mask, two filtered masks, a direct share).
+// of its own 1 572 864 more (a map, a mask, two filtered masks, a direct share), and so do normals.
 #pragma once
 
 #include "hw/frame_store.hpp"
@@ -69,12 +69,14 @@ struct FrameShape {
     std::size_t lights = 1, sources = 1, channels = 1;
     std::array<std::uint8_t, max_sources> lights_of{1};
     std::array<bool, max_sources> sectored{}, graded{};
+    bool normals = false;  // kept of the observer's view: reads_normals(settings)
     int map_layers = 1;  // Z codes a texel while a map is drawn: shadow::map_layers(settings);
                          // 0: no map
 
     FrameShape() = default;
     explicit FrameShape(int layers) : map_layers(layers) {}
     explicit FrameShape(const Scene& scene, int layers = 1);
+    FrameShape(const Scene& scene, const Settings& settings);
     constexpr bool operator==(const FrameShape&) const = default;
 };
 

@@ -26,15 +26,15 @@ StageCycles points(std::uint64_t count, const Settings& s, bool affine, bool div
 
 // Control points through the unit, the operations of all that follows, and `more`.
 StageCycles view(const DrawnFrame& drawn, const hw::MatrixWords& matrix,
-                 const raster::DrawCounts& counts, bool shades, const FramePlan& plan,
+                 const raster::DrawCounts& counts, Keeps keeps, const FramePlan& plan,
                  const hw::Operations& more) {
     const Settings& s = drawn.inputs.settings;
     StageCycles c = points(control_points * counts.subdivided() + vertices * counts.facets, s,
                            matrix.affine, matrix.affine && plan.unit_work().divide, plan);
-    hw::Operations o = drawing_operations(drawn.inputs, matrix, counts, shades);
+    hw::Operations o = drawing_operations(drawn.inputs, matrix, counts, keeps);
     o += more;
     const raster::DrawCounts points_alone{.patches = counts.subdivided(), .facets = counts.facets};
-    o.passes -= drawing_operations(drawn.inputs, matrix, points_alone, false).passes;
+    o.passes -= drawing_operations(drawn.inputs, matrix, points_alone, Keeps::depth).passes;
     c.operations = method_of(drawn.inputs).units(o, s);
     return c;
 }
@@ -58,12 +58,13 @@ public:
         const bool inside = plan_.leaves_out(Omission::outside_surfaces);
         StageCycles copied;
         copied.store = 2 * pixels_;
-        const bool shades = !ledger_.on_ground && !leaves_out(Omission::light_shading);
+        const bool shades = ledger_.has_map && !leaves_out(Omission::light_shading);
+        const Keeps keeps = shades ? Keeps::shades : Keeps::depth;
         add(FrameStage::light, leaves_out(Omission::light_drawing)
                                    ? copied
                                    : view(drawn_, in_.matrices.lights[l_].world_to_light,
                                           inside ? ledger_.light_inside : ledger_.light_counts,
-                                          shades, plan_,
+                                          keeps, plan_,
                                           map_operations(in_, inside ? ledger_.light_inside
                                                                      : ledger_.light_counts)));
     }
@@ -183,7 +184,7 @@ FrameCycles cycles_of(const FramePlan& plan, const DrawnFrame& drawn) {
             view(drawn, in.matrices.world_to_observer,
                  plan.leaves_out(Omission::outside_surfaces) ? l.observer_inside
                                                              : l.observer_counts,
-                 true, plan, {});
+                 kept_of_observer(in), plan, {});
     return cycles;
 }
 

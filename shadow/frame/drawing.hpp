@@ -13,6 +13,20 @@
 
 namespace umbra78::shadow {
 
+// Whether the observer's view is drawn with its normals.
+inline bool keeps_normals(const FrameInputs& in) {
+    return hw::built(hw::Feature::surface_bias) && method_of(in).plane == ExtraPlane::normal &&
+           reads_normals(in.settings);
+}
+
+// The observer's store as it is drawn: a frame may have room for normals that are not kept.
+template <class Depth>
+hw::FrameStore<Depth> drawn_store(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
+    hw::FrameStore<Depth> store = frame.observer;
+    if (!keeps_normals(in)) store.normal = {};
+    return store;
+}
+
 // The check at a stage's entry: the buffers have the sizes that the settings and the scene ask for.
 template <class Depth>
 void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
@@ -23,6 +37,7 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
                 frame.observer.intensity.size() == channels * pixels &&
                 frame.observer.direct.size() == channels * sources * pixels &&
                 frame.picture.size() == channels * pixels;
+    fits = fits && frame.observer.normal.size() >= (keeps_normals(in) ? 3 * pixels : 0);
     const std::size_t layers = static_cast<std::size_t>(map_layers(in.settings));
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
         const LightBuffers<Depth>& light = frame.lights[l];
@@ -59,6 +74,7 @@ inline raster::ShadingSpec shading_of(const FrameInputs& in) {
     spec.source_count = in.scene.sources_used();
     spec.channels = in.scene.channels;
     spec.rule = in.settings.shading;
+    spec.keeps_normals = keeps_normals(in);
     for (std::size_t s = 0; s < spec.source_count; ++s) {
         const Source source = in.scene.source(s);
         spec.sources[s] = {raster::toward_eye(source.place, object), source.level_q8};
@@ -106,7 +122,8 @@ inline std::int64_t plane_limit(const FrameInputs& in, std::size_t l) {
 }
 
 inline ReceiverWords receiver_words(const FrameInputs& in, std::size_t l) {
-    return {plane_limit(in, l), in.matrices.lights[l].scale};
+    const LightMatrices& m = in.matrices.lights[l];
+    return {plane_limit(in, l), m.scale, m.axes};
 }
 
 // What stands on a scene's ground, in two parts: what comes before and after it.

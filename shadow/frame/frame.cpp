@@ -21,7 +21,7 @@ std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame, std::size_t plane = 
     return bytes.subspan(plane * frame.pixels(), frame.pixels());
 }
 
-// Where Z is kept and the intensities are drawn anew: they start from the max level, and only
+// Where Z is kept and intensities and normals are drawn anew: they start from the max, and only
 // samples at the stored depth compete, so that each comes out as in a frame drawn anew.
 template <class Depth>
 void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store) {
@@ -31,6 +31,9 @@ void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store
     };
     start(store.intensity);
     start(store.direct);
+    for (std::size_t k = 0; k < store.normal.size(); ++k)
+        store.normal[k] = store.depth[k % store.depth.size()] == spec.background()
+                              ? hw::no_normal : hw::NormalWord{0xffff};
 }
 
 void copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
@@ -206,21 +209,22 @@ void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
                   FrameCounts& counts) {
     if (plan.leaves_out(Omission::same_observer)) return;
     const Method& method = method_of(in);
+    hw::FrameStore<Depth> store = drawn_store(in, frame);
     bool tested = false;  // in this drawing
     for (std::size_t l = 0; method.tests_when_drawn() && l < in.scene.light_count; ++l) {
         light_up(frame.lights[l].mask);
         tested = tested || !plan.leaves_out(Omission::post_process, l);
     }
     if (!tested && plan.leaves_out(Omission::same_depth)) {
-        clear_intensities(in.settings.machine, frame.observer);
+        clear_intensities(in.settings.machine, store);
     } else {
-        frame.observer.clear(in.settings.machine);
+        store.clear(in.settings.machine);
     }
     if (tested) {
         method.stages<Depth>().draw(in, plan, frame, counts);
         return;
     }
-    raster::PictureSink<Depth> sink{frame.observer};
+    raster::PictureSink<Depth> sink{store};
     counts.observer = draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame,
                                 sink);
 }

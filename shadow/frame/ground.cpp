@@ -30,7 +30,8 @@ void draw_on_ground(const FrameInputs& in, const FramePlan& plan, FrameBuffers<D
                     FrameCounts& counts) {
     const raster::View& view = in.scene.observer;
     const raster::DrawSetup setup = draw_setup(in, plan, in.matrices.world_to_observer);
-    raster::PictureSink<Depth> ground{frame.observer};
+    hw::FrameStore<Depth> store = drawn_store(in, frame);
+    raster::PictureSink<Depth> ground{store};
     counts.observer = draw_surfaces(in.scene.patches.subspan(in.scene.ground, 1), view, setup,
                                     frame, ground);
     for (std::size_t l = 0; l < in.scene.light_count; ++l)
@@ -39,7 +40,7 @@ void draw_on_ground(const FrameInputs& in, const FramePlan& plan, FrameBuffers<D
     const auto light_up = [lights](std::size_t address) {
         for (const LightBuffers<Depth>& light : lights) light.mask[address] = mask_lit;
     };
-    BeforeSink before(frame.observer, light_up);
+    BeforeSink before(store, light_up);
     for_others_than_ground(in.scene, [&](const raster::Surfaces& surfaces) {
         counts.observer += draw_surfaces(surfaces, view, setup, frame, before);
     });

@@ -38,6 +38,7 @@ FrameStatus load_light(const Scene& scene, std::size_t l, const Settings& settin
                         m.clamp_quanta_q16))
         return bias_out_of_range;
     m.scale = light_scale(light, spec, m.bias_quanta_q16);
+    m.axes = light_axes(light);
     const hw::RationalMatrix exact =
         raster::observer_to_light(scene.observer, light, spec, m.bias_quanta_q16);
     const hw::LoadStatus loaded =

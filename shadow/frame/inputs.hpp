@@ -97,7 +97,8 @@ struct LightMatrices {
     hw::MatrixWords world_to_light, observer_to_light;
     std::int64_t bias_quanta_q16;
     std::int64_t clamp_quanta_q16;  // bias_clamp's
-    LightScale scale;               // what receiver = normal reads
+    LightScale scale;               // what receiver = normal reads, and kept normals
+    LightAxes axes;                 // what kept normals read
     hw::ap120b::Matrix array;  // observer to light in the AP-120B's words; 0 on the fixed machine
 };
 

@@ -30,7 +30,8 @@ PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
                     const raster::Casters& casters, raster::DrawCounts& counts,
                     raster::DrawCounts& inside) {
     const auto operations = [&] {
-        hw::Operations o = drawing_operations(in, matrix, counts, shades);
+        hw::Operations o = drawing_operations(in, matrix, counts,
+                                              shades ? kept_of_observer(in) : Keeps::depth);
         if (!shades) o += map_operations(in, counts);
         return phase(o, in);
     };
@@ -159,10 +160,15 @@ std::uint64_t total(std::span<const FrameLedger> by_light, bool overlap) {
 }
 
 hw::Operations drawing_operations(const FrameInputs& in, const hw::MatrixWords& view,
-                                  const raster::DrawCounts& counts, bool shades) {
+                                  const raster::DrawCounts& counts, Keeps keeps) {
+    raster::SampleCost sample = sample_cost(in.scene, in.settings.shading);
+    sample.keeps_normals = keeps == Keeps::shades_and_normals;
     return raster::drawing_operations(counts, in.settings.machine, view.affine,
-                                      in.settings.sampling, shades,
-                                      sample_cost(in.scene, in.settings.shading));
+                                      in.settings.sampling, keeps != Keeps::depth, sample);
+}
+
+Keeps kept_of_observer(const FrameInputs& in) {
+    return keeps_normals(in) ? Keeps::shades_and_normals : Keeps::shades;
 }
 
 hw::Operations map_operations(const FrameInputs& in, const raster::DrawCounts& counts) {
@@ -184,10 +190,10 @@ bool has_pass(const FrameInputs& in, std::size_t light) {
 
 hw::Operations test_operations(const FrameInputs& in, std::size_t light) {
     hw::Operations o{};
-    if (in.settings.receiver == Receiver::plane) o += cost::receiver_plane;
-    if (in.settings.receiver == Receiver::normal) o += cost::receiver_normal;
-    if (in.settings.receiver == Receiver::normal && raster::has_eye(in.scene.lights[light]))
-        o += cost::receiver_tilt;
+    const cost::ReceiverCost receiver =
+        cost::receiver_cost(in.settings.receiver, in.settings.slope_source);
+    o += receiver.pixel;
+    if (raster::has_eye(in.scene.lights[light])) o += receiver.in_perspective;
     if (in.scene.source_of(light).sectored) o += cost::sector_pixel;
     return o;
 }

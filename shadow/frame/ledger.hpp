@@ -105,9 +105,14 @@ struct FrameLedger {
     std::uint64_t total(bool overlap) const;
 };
 
+// What of a view's samples is kept beside Z.
+enum class Keeps : std::uint8_t { depth, shades, shades_and_normals };
+
 // Operations of drawing a view with these counts.
 hw::Operations drawing_operations(const FrameInputs&, const hw::MatrixWords& view,
-                                  const raster::DrawCounts&, bool shades);
+                                  const raster::DrawCounts&, Keeps);
+// What the observer's view keeps.
+Keeps kept_of_observer(const FrameInputs&);
 
 // What map_depth and bias_slope add to the drawing of a light's view with these counts.
 hw::Operations map_operations(const FrameInputs&, const raster::DrawCounts&);

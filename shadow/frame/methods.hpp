@@ -28,8 +28,8 @@ struct DrawnFrame;
 
 // What a method works on.
 enum class Surfaces : std::uint8_t { patches, facets };
-// A plane of the observer's view that it needs beside Z and intensity.
-enum class ExtraPlane : std::uint8_t { none, slope, normal };
+// A plane of the observer's view that it can use beside Z and intensity.
+enum class ExtraPlane : std::uint8_t { none, normal };
 enum class Darkness : std::uint8_t { binary, graded };  // 0 and 255 alone, or anything between
 // What can be watched of it, tick by tick (tools/watch).
 enum class Trace : std::uint8_t { none, clocked_post_process };

@@ -98,11 +98,12 @@ bool same_window(const Settings& a, const Settings& b) {
 
 bool same_receiver(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
     const Settings &s = a.settings, &t = b.settings;
-    if (s.receiver != t.receiver) return false;
+    const LightMatrices &m = a.matrices.lights[l], &n = b.matrices.lights[l];
+    if (s.receiver != t.receiver || reads_normals(s) != reads_normals(t)) return false;
+    if (s.receiver == Receiver::point) return true;
+    if (reads_normals(s) && (m.axes != n.axes || m.scale != n.scale)) return false;
     if (s.receiver == Receiver::plane) return plane_limit(a, l) == plane_limit(b, l);
-    return s.receiver == Receiver::point ||
-           (s.normal_offset_q8 == t.normal_offset_q8 &&
-            a.matrices.lights[l].scale == b.matrices.lights[l].scale);
+    return s.normal_offset_q8 == t.normal_offset_q8 && m.scale == n.scale;
 }
 
 bool same_place(const raster::View& a, const raster::View& b) {
@@ -154,14 +155,16 @@ Reuse find_reuse(const FrameInputs& before, const FrameInputs& now) {
     const bool when_drawn = method_of(now).tests_when_drawn();
     const bool in_shading = method_of(now).in_shading;
     r.depth = drawing && before.matrices.world_to_observer == now.matrices.world_to_observer;
-    r.observer = r.depth && same_shading(before, now) &&
+    const bool by_normals = keeps_normals(now);
+    r.observer = r.depth && same_shading(before, now) && (!by_normals || keeps_normals(before)) &&
                  when_drawn == method_of(before).tests_when_drawn();
     bool masks = true;
     for (std::size_t l = 0; l < now.scene.light_count; ++l) {
         r.light_map[l] = drawing && same_map(before, now, l) &&
                          before.matrices.lights[l].world_to_light ==
                              now.matrices.lights[l].world_to_light;
-        r.mask[l] = method && r.depth && r.light_map[l] && same_test(before, now, l);
+        r.mask[l] = method && (by_normals ? r.observer : r.depth) && r.light_map[l] &&
+                    same_test(before, now, l);
         masks = masks && r.mask[l];
     }
     // Sectors have one mask.

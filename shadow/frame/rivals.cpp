@@ -1,7 +1,7 @@
 #include "shadow/frame/rivals.hpp"
 
-#include "shadow/frame/costs.hpp"
-#include "shadow/rivals/costs.hpp"
+#include "shadow/frame/ledger.hpp"
+#include "shadow/frame/rival_casts.hpp"
 #include "shadow/rivals/dicing.hpp"
 
 #include <algorithm>
@@ -46,43 +46,6 @@ bool prepare(const FrameInputs& in, std::size_t l, const Pieces& p, rivals::Sett
            rivals::make_setting(space, mesh, light, p.setting, out);
 }
 
-// --- each rival ----------------------------------------------------------------------------------
-//
-// bytes: of the most that it may need, if that is known before. cast: writes the mask with memory
-// from the carver; what it took, or nothing if the memory is too small.
-
-std::size_t volume_bytes(const rivals::MeshSize& size, std::size_t pixels) {
-    Carver carver(static_cast<std::byte*>(nullptr));
-    carver.take<rivals::ContourEdge>(3 * size.facets);
-    carver.take<std::int32_t>(pixels);
-    return carver.used();
-}
-
-rivals::Work cast_volumes(const rivals::Setting& s, std::span<const std::uint32_t> shown,
-                          Carver& carver, std::span<std::uint8_t> mask) {
-    const auto contour = carver.take<rivals::ContourEdge>(rivals::find_contour(s, {}));
-    const auto surfaces = carver.take<std::int32_t>(shown.size());
-    if (!carver.fits()) return {};
-    rivals::find_contour(s, contour);
-    rivals::VolumeCounts counts;
-    rivals::count_volumes(s, shown, contour, surfaces, counts);
-    rivals::mask_of_counts(s, shown, surfaces, mask);
-    return rivals::work_of(counts, mask.size());
-}
-
-rivals::Work cast_brute(const rivals::Setting& s, std::span<const std::uint32_t> shown,
-                        Carver& carver, std::span<std::uint8_t> mask) {
-    // The grid takes what is left; how much it needs is known when it has been counted.
-    rivals::LightGrid grid;
-    std::size_t needed = 0;
-    const bool built = grid.build(s, 0, carver.rest(), needed);
-    carver.take<std::byte>(needed);
-    if (!built) return {};
-    rivals::BruteCounts counts;
-    rivals::brute(s, shown, &grid, mask, counts);
-    return rivals::work_of(counts, s.mesh, mask.size());
-}
-
 }  // namespace
 
 FrameStatus check_rival(const Scene& scene, const Settings& settings) {
@@ -99,7 +62,6 @@ std::size_t rival_bytes(const FrameInputs& in) {
     const rivals::MeshSize size = size_of(in);
     Carver carver(static_cast<std::byte*>(nullptr));
     lay_out(carver, size, pixels);
-    if (in.settings.form == Form::volumes) carver.take<std::byte>(volume_bytes(size, pixels));
     return carver.used();
 }
 
@@ -116,9 +78,7 @@ void cast_rival(const FrameInputs& in, const FramePlan&, std::size_t l,
         fixed::require(prepare(in, l, pieces, setting), "a rival's scene was not checked");
         rivals::VisibleCounts visible;
         rivals::find_visible(setting, pieces.shown, visible);
-        work = in.settings.form == Form::volumes
-                   ? cast_volumes(setting, pieces.shown, carver, mask)
-                   : cast_brute(setting, pieces.shown, carver, mask);
+        work = cast_by(in.settings.form, setting, pieces.shown, carver, mask);
     }
     counted.capacity = {carver.fits(), carver.used()};
     counted.method_once = work.once;

@@ -26,12 +26,14 @@ constexpr std::array<std::string_view, 2> background_names{"blend", "fall_back"}
 constexpr std::array<std::string_view, 3> bias_unit_names{"quanta", "texels", "world"};
 constexpr std::array<std::string_view, 3> map_depth_names{"first", "back", "midpoint"};
 constexpr std::array<std::string_view, 3> receiver_names{"point", "plane", "normal"};
+constexpr std::array<std::string_view, 2> slope_source_names{"depths", "normals"};
 constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "triangular", "normal4",
                                                        "normal"};
 constexpr std::array<std::string_view, 4> shading_names{"phong", "blinn", "lambert", "none"};
 constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
-constexpr std::array<std::string_view, 6> form_names{"post_process", "correct", "ground",
-                                                     "blob",         "brute",   "volumes"};
+constexpr std::array<std::string_view, 10> form_names{
+    "post_process", "correct",          "ground", "blob",      "brute",
+    "volumes",      "bouknight_kelley", "appel",  "splitting", "irregular"};
 constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
 constexpr std::array<std::string_view, 2> sector_test_names{"classified", "every"};
 constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};
@@ -130,6 +132,10 @@ constexpr std::array table{
     decimal<UMBRA78_ACCESS(normal_offset_q8)>(
         "normal_offset", "texels", 0, 16 << 8, 8,
         "of receiver = normal: the way along the normal, in the light map's texels at the pixel"),
+    choice<UMBRA78_ACCESS(slope_source)>(
+        "slope_source", slope_source_names,
+        "a pixel's surface for receiver = plane and normal: Z differences of the observer's store, "
+        "or normals kept beside it (3 words a pixel)"),
     choice<UMBRA78_ACCESS(dither.shape)>(
         "dither", dither_names,
         "noise on the light's X and Y: the sum of 0, 1, 2, 4 or 12 uniform bytes"),
@@ -156,8 +162,8 @@ constexpr std::array table{
     choice<UMBRA78_ACCESS(form)>(
         "form", form_names,
         "test visible pixels once the picture is drawn, or points as they are shaded; or draw the "
-        "scene flat on its ground, or an ellipse beneath each object; or, exact on polygons, ask "
-        "every facet, or count the shadow volumes"),
+        "scene flat on its ground, or an ellipse beneath each object; or ask the scene's polygons "
+        "as a rival of the depth map does (shadow/rivals/RIVALS.md)"),
     choice<UMBRA78_ACCESS(arithmetic)>(
         "arithmetic", arithmetic_names,
         "of the post-process: the transform unit's, or an FPS AP-120B's (Z to 16 bits)"),

@@ -24,7 +24,10 @@ namespace umbra78::shadow {
 // drawn on a scene's ground and has no map (hw/MACHINE.md, section 26): the scene's, flat, or an
 // ellipse beneath each object; or a rival of the depth map, exact on the scene's polygons
 // (shadow/rivals/RIVALS.md).
-enum class Form : std::uint8_t { post_process, correct, ground, blob, brute, volumes };
+enum class Form : std::uint8_t {
+    post_process, correct, ground, blob,
+    brute, volumes, bouknight_kelley, appel, splitting, irregular,
+};
 constexpr bool is_on_ground(Form form) { return form == Form::ground || form == Form::blob; }
 constexpr bool is_rival(Form form) { return form >= Form::brute; }
 // What the post-process computes in: the transform unit's words, or the AP-120B's floating point.

@@ -44,7 +44,8 @@ void draw_picture(const FrameInputs& part, const FramePlan& plan, FrameBuffers<D
         counts.observer += of_batch.observer;
         return;
     }
-    raster::PictureSink<Depth> sink{frame.observer};
+    hw::FrameStore<Depth> store = drawn_store(part, frame);
+    raster::PictureSink<Depth> sink{store};
     counts.observer += draw_view(part, plan, part.scene.observer,
                                  part.matrices.world_to_observer, frame, sink);
 }

@@ -6,7 +6,10 @@
 #pragma once
 
 #include "raster/drawing_cost.hpp"
-#include "shadow/rivals/brute.hpp"
+#include "shadow/rivals/appel.hpp"
+#include "shadow/rivals/bouknight_kelley.hpp"
+#include "shadow/rivals/irregular.hpp"
+#include "shadow/rivals/split.hpp"
 #include "shadow/rivals/volumes.hpp"
 
 namespace umbra78::shadow::rivals {
@@ -28,6 +31,24 @@ inline constexpr Operations side_setup = raster::cost::triangle_setup;
 inline constexpr Operations side_row = raster::cost::triangle_line;
 inline constexpr Operations side_pixel{3, 0, 0, 0, 0, 1};     // its depth steps; the compare
 inline constexpr Operations count_update{1, 0, 0, 0, 0, 2};
+// A vertex in the light's picture: four products of a word and a direction.
+inline constexpr Operations picture_place{2, 4, 4, 0, 0, 0};
+inline constexpr Operations picture_facet = 3 * picture_place + Operations{12, 0, 0, 0, 0, 0};
+inline constexpr Operations box_test{4, 0, 0, 0, 0, 1};
+inline constexpr Operations depth_test{1, 0, 0, 0, 0, 0};
+// Two planes meet in a line on the screen, and a row cuts it: eight products of 32 bits, a quotient.
+inline constexpr Operations projected_edge{6, 8, 32, 1, 31, 0};
+inline constexpr Operations listed_crossing{1, 0, 0, 0, 0, 2};  // written, read, the counter
+inline constexpr Operations compare{1, 0, 0, 0, 0, 0};
+inline constexpr Operations written_pixel{0, 0, 0, 0, 0, 1};
+// A visible point in the light's picture, and into its texel's list.
+inline constexpr Operations placed_sample = picture_place + Operations{2, 0, 0, 0, 0, 3};
+inline constexpr Operations scanned_texel{1, 0, 0, 0, 0, 1};
+// The sign of three lines: a determinant of 3 x 3, of 32-bit words; with a meeting line, of 64.
+inline constexpr Operations line_sign{5, 9, 36, 0, 0, 0};
+inline constexpr Operations meeting_sign{5, 9, 144, 0, 0, 0};
+inline constexpr Operations cut_piece{0, 0, 0, 0, 0, 8};         // its lines are written again
+inline constexpr Operations piece_row = 4 * projected_edge;      // its lines, cut by a row
 inline constexpr Operations read_pixel{0, 0, 0, 0, 0, 1};
 inline constexpr Operations masked_pixel{0, 0, 0, 0, 0, 2};   // the count read, the mask written
 
@@ -50,6 +71,53 @@ inline Work work_of(const VolumeCounts& c, std::uint64_t pixels) {
             pixels * cost::masked_pixel + c.start_tests * cost::asked_facet +
                 c.sides * cost::side_setup + c.rows * cost::side_row +
                 c.fills * cost::side_pixel + c.updates * cost::count_update};
+}
+
+// The links are made anew for each observer, since they are of what is seen.
+inline hw::Operations link_operations(const LinkCounts& c, std::uint64_t facets) {
+    return facets * cost::picture_facet + c.box_tests * cost::box_test +
+           c.depth_tests * cost::depth_test + c.plane_tests * cost::plane_side;
+}
+
+inline Work work_of(const LinkCounts& links, const ScanOutCounts& c, const Mesh& mesh,
+                    std::uint64_t pixels) {
+    return {mesh.facets.size() * cost::facet_side + mesh.edges.size() * cost::plane,
+            link_operations(links, mesh.facets.size()) + pixels * cost::written_pixel +
+                (c.edges + c.planes) * cost::projected_edge +
+                c.crossings * cost::listed_crossing + c.compares * cost::compare +
+                c.start_facets * cost::asked_facet};
+}
+
+inline Work work_of(const LinkCounts& links, const BorderCounts& borders, const AppelCounts& c,
+                    const Mesh& mesh, std::uint64_t pixels) {
+    return {mesh.facets.size() * cost::facet_side +
+                mesh.edges.size() * (cost::plane + cost::edge_multiplicity),
+            link_operations(links, mesh.facets.size()) + borders.signs * cost::plane_side +
+                borders.box_tests * cost::box_test + pixels * cost::written_pixel +
+                c.seed_facets * cost::asked_facet + c.borders * cost::projected_edge +
+                c.crossings * cost::listed_crossing + c.compares * cost::compare};
+}
+
+inline Work work_of(const IrregularCounts& c, const Mesh& mesh, std::uint64_t pixels) {
+    return {mesh.facets.size() * (cost::facet_side + cost::picture_facet) +
+                mesh.edges.size() * cost::plane,
+            pixels * cost::written_pixel + c.samples * cost::placed_sample +
+                c.facet_texels * cost::scanned_texel + c.visits * cost::box_test +
+                c.facets_asked * cost::asked_facet};
+}
+
+// The pieces of all facets serve every observer.
+inline hw::Operations piece_operations(const CasterCounts& casters, const CutCounts& cuts) {
+    return casters.boxes * cost::box_test + casters.planes * (6 * cost::plane_side) +
+           cuts.signs.edges * cost::line_sign + cuts.signs.meetings * cost::meeting_sign +
+           cuts.cuts * cost::cut_piece;
+}
+
+inline Work work_of(const SplitCounts& c, const MaskCounts& mask, const Mesh& mesh,
+                    std::uint64_t pixels) {
+    return {mesh.facets.size() * (cost::facet_side + cost::picture_facet) +
+                mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts),
+            pixels * cost::written_pixel + mask.rows * cost::piece_row};
 }
 
 }  // namespace umbra78::shadow::rivals

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
 namespace umbra78::raster {
 namespace {
 
@@ -74,6 +79,51 @@ TEST(Sinks, HideOnlyWhatIsBehindEveryPixelOfTheFootprint) {
     }
     fill(0, 0);
     EXPECT_FALSE(all_nearer(store, Footprint{3, 5, 9, 8, 0, 0})) << "nothing is nearer than 0";
+}
+
+// A sample's level and normal, as a block's or facet's shading gives them.
+struct GivenShading {
+    std::uint8_t level;
+    UnitVector kept;
+    Shades shade(const Sample&, Shadowed) const {
+        Shades all{};
+        all[0].intensity = level;
+        return all;
+    }
+    UnitVector normal(const Sample&) const { return kept; }
+};
+
+// The normal is the last part of the record: it goes with the nearest sample, the darkest of the
+// nearest, and decides by its x, then y, then z alone where all else is equal.
+TEST(Sinks, TheNormalIsTheRecordsLastPart) {
+    const std::array<std::pair<std::uint32_t, GivenShading>, 6> in_order{
+        {{100, {10, {-16384, 0, 0}}},
+         {100, {10, {-16384, 0, 1}}},
+         {100, {10, {-16384, 1, -9}}},
+         {100, {10, {5, -7, 0}}},
+         {100, {11, {-16384, -9, -9}}},
+         {101, {9, {-16384, -9, -9}}}}};
+    hw::MachineSpec spec;
+    spec.xy_bits = 4;
+    for (std::size_t first = 0; first < in_order.size(); ++first)
+        for (std::size_t second = 0; second < in_order.size(); ++second) {
+            std::vector<hw::Depth16> depth(256);
+            std::vector<std::uint8_t> intensity(256), direct(256);
+            std::vector<hw::NormalWord> normal(3 * 256);
+            hw::FrameStore<hw::Depth16> store{4, depth, intensity, direct, normal};
+            store.clear(spec);
+            EXPECT_EQ(store.normal_at(17, 2), 0) << "none";
+            PictureSink<hw::Depth16> sink{store};
+            const Sample s{1, 1, 0, 0, 0, 0, 0};
+            for (const std::size_t k : {first, second})
+                sink.sample(s, in_order[k].first, &in_order[k].second);
+            const auto& [code, kept] = in_order[std::min(first, second)];
+            EXPECT_EQ(store.depth[17], code);
+            EXPECT_EQ(store.intensity[17], kept.level);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                EXPECT_EQ(store.normal_at(17, axis), kept.kept[axis])
+                    << first << " then " << second;
+        }
 }
 
 // Every sample lies in its block's footprint, in pixels and in depth, and its shading is that of

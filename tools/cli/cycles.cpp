@@ -44,9 +44,10 @@ bool is_clocked(const LoadedScene& scene) {
     return method != nullptr && method->trace == shadow::Trace::clocked_post_process;
 }
 
-// The replay reads the texels about the pixel's own point.
+// The replay reads the texels about the pixel's own point, and of the observer its Z alone.
 bool is_replayed(const LoadedScene& scene) {
-    return is_clocked(scene) && scene.settings.receiver != shadow::Receiver::normal;
+    return is_clocked(scene) && scene.settings.receiver != shadow::Receiver::normal &&
+           !shadow::reads_normals(scene.settings);
 }
 
 std::string timed_pixels(const LoadedScene& scene, const RenderJob& job) {

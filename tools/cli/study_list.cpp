@@ -13,6 +13,7 @@ Studies studies() {
         made.push_back(make_growth_study());
         made.push_back(make_motion_study());
         made.push_back(make_lights_study());
+        made.push_back(make_rivals_study());
         made.push_back(make_precision_study());
         made.push_back(make_stability_study());
         return made;

@@ -19,6 +19,7 @@ std::unique_ptr<Study> make_contours_study();
 std::unique_ptr<Study> make_growth_study();
 std::unique_ptr<Study> make_motion_study();
 std::unique_ptr<Study> make_lights_study();
+std::unique_ptr<Study> make_rivals_study();
 std::unique_ptr<Study> make_precision_study();
 std::unique_ptr<Study> make_stability_study();
 

@@ -37,7 +37,8 @@ void RenderJob::allocate() {
     const hw::MachineSpec& machine = settings().machine;
     patches_ = inputs_.scene.patches.size();
     layers_ = shadow::map_layers(settings());
-    const shadow::FrameShape shape(inputs_.scene, layers_);
+    normals_ = shadow::reads_normals(settings());
+    const shadow::FrameShape shape(inputs_.scene, settings());
     bytes_ = shadow::frame_bytes<Depth>(machine, patches_, shape);
     memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
     frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, shape);
@@ -78,6 +79,9 @@ void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings&
                                         "light's map: for another form make another"
                                       : "this frame was made for one depth a texel of the light's "
                                         "map: for map_depth=midpoint make another");
+    if (shadow::reads_normals(settings) && !normals_)
+        throw SceneError("this frame was made without normals: for slope_source=normals make "
+                         "another");
     if (scene.patches.size() > patches_)
         throw SceneError(fmt::format("this frame was made for {} patches: for {} make another",
                                      patches_, scene.patches.size()));
@@ -193,6 +197,7 @@ shadow::MemoryLedger RenderJob::replay_memory() const {
 std::string name_of(const PlaneOf& of, bool coloured) {
     constexpr const char* names[] = {"observer_z", "light_z",  "intensity", "direct", "mask",
                                      "darkness",   "edges",    "filtered",  "picture"};
+    if (of.plane == Plane::normal) return fmt::format("normal_{}", "xyz"[of.channel]);
     constexpr const char* channels[] = {"_red", "_green", "_blue"};
     const bool has_channel = of.plane == Plane::intensity || of.plane == Plane::direct ||
                              of.plane == Plane::picture;
@@ -213,6 +218,8 @@ std::vector<PlaneOf> RenderJob::planes() const {
         all.emplace_back(Plane::intensity, 0, c);
         for (std::size_t s = 0; s < sources; ++s) all.emplace_back(Plane::direct, s, c);
     }
+    for (std::size_t axis = 0; shadow::reads_normals(settings()) && axis < 3; ++axis)
+        all.emplace_back(Plane::normal, 0, axis);
     for (std::size_t l = 0; l < scene.light_count; ++l)  // sectors have one
         if (!scene.source_of(l).sectored || scene.source_of(l).first_light == l)
             all.emplace_back(Plane::mask, l);
@@ -235,6 +242,10 @@ Buffer RenderJob::buffer(const PlaneOf& of) const {
         [&](const auto& frame) {
             if (of.plane == Plane::observer_z) return depth(frame.observer);
             if (of.plane == Plane::light_z) return depth(frame.lights[of.light].map);
+            if (of.plane == Plane::normal)
+                return Buffer{name, spec.size_px(), 0xffff,
+                              std::span<const std::uint16_t>(frame.observer.normal)
+                                  .subspan(of.channel * frame.pixels(), frame.pixels())};
             return Buffer{name, spec.size_px(), 255, bytes(of)};
         },
         frame_);

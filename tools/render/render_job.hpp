@@ -36,7 +36,8 @@ constexpr double simulated_ms(std::uint64_t cycles, int clock_ns) {
     return static_cast<double>(cycles) * clock_ns * 1e-6;
 }
 
-// The kinds of a frame's planes. Z is 16 or 32 bits a word, the others are 8.
+// The kinds of a frame's planes. Z is 16 or 32 bits a word, a normal's are 16,
+// the others are 8.
 enum class Plane : std::uint8_t {
     observer_z,
     light_z,    // of each light
@@ -47,6 +48,7 @@ enum class Plane : std::uint8_t {
     edges,      // after the edge dequantizing, of each source
     filtered,   // after the low-pass, of each source
     picture,    // of each channel
+    normal,     // if they are kept; the channel is the axis
 };
 
 // One of them: in a grey frame with one light the kind says which.
@@ -129,6 +131,7 @@ private:
     StageTimes times_{};
     std::size_t bytes_ = 0, patches_ = 0;  // that the memory was carved for
     int layers_ = 1;                       // of the light's map, likewise
+    bool normals_ = false;                 // whether it has planes for them
     std::unique_ptr<std::byte[], Free> memory_;
     std::size_t method_bytes_ = 0;
     std::unique_ptr<std::byte[], Free> method_memory_;

@@ -6,7 +6,8 @@ from .figures import scene, view
 from .filters import darken, dequantize, shadow_chains
 from .noise import taps_of_pixel
 from .notation import fnv, half_up, to_bytes
-from .receiver import Scale, moved, normal, scale_words
+from .receiver import (Scale, cut_normal, gradient, in_light, leaning, light_axes, moved,
+                       moved_along, normal, scale_words)
 from .samples import leaf_corners
 from .settings import Settings, table
 from .shadow_test import LightMap, pixel_words
@@ -116,6 +117,26 @@ def normals():
         yield f"({words(point)}) goes to ({words(moved(point, u, v, 1, 256, scale))})"
 
 
+def plane_of_normals():
+    world, n = scene("floor"), (-5440, -1363, 15394)
+    point = (14764, -9664, -17672)
+    yield f"N = ({', '.join(map(str, n))}): words {words(a + 32768 for a in n)}"
+    for name, s in (("left", Settings()), ("lamp", Settings("coefficient_bits 24"))):
+        light = view(name, world)
+        scale = Scale(scale_words(light, s, light.bias_quanta(192 << 16, "quanta", s)), 7)
+        axes = light_axes(light)
+        if name == "left":
+            for axis, sign, letter in zip(axes, (1, -1, -1), "rub"):
+                yield f"{letter} = ({', '.join(str(sign * a) for a in axis)})"
+        m = in_light(n, axes)
+        yield (f"m = ({words(m)}), slope_X = {leaning(point, m, scale)[0]}, slope_Y = "
+               f"{leaning(point, m, scale)[1]}")
+        yield (f"({words(point)}) goes to "
+               f"({words(moved_along(point, *cut_normal(m), -1, 256, scale))})")
+    a, b = gradient((20, 0, 120), (-4, 126, 40))
+    yield f"differences have {a} and {b}"
+
+
 def composites():
     yield (f"direct {darken(194, 118, 255, 218)}; whole {darken(194, 194, 255, 218)}. "
            f"With density 256: {darken(194, 118, 255, 256)} and {darken(194, 194, 255, 256)}.")
@@ -159,6 +180,7 @@ def placed():
 def check(text):
     """How many examples there are, and those that the text lacks."""
     found = [*hashes(text), *biases(), *round_first(), *edges(), *windows(), *normals(),
+             *plane_of_normals(),
              *composites(),
              *perspective_block(), *placed()]
     text = re.sub(r"\s+", " ", text)

@@ -8,7 +8,7 @@ from .filters import composite, dequantize, low_pass, ramp
 from .ground import ellipse, ellipse_patches, ground_masks
 from .noise import dither_words, noise_bits
 from .notation import half_up
-from .receiver import Scale, scale_words
+from .receiver import Scale, light_axes, scale_words
 from .sectors import SectorLights, sector_mask, sector_views
 from .settings import Settings, table
 from .shading import Shading
@@ -175,7 +175,11 @@ class Frame:
         sources = [(source.place, source.levels * (channels // len(source.levels)))
                    for source in self.sources]
         return Shading(self.observer, sources, self.fraction, self.s.ambient,
-                       COLOURED if self.coloured else MATERIAL, self.s.shading)
+                       COLOURED if self.coloured else MATERIAL, self.s.shading,
+                       self.keeps_normals())
+
+    def keeps_normals(self):
+        return self.s.receiver != "point" and self.s.slope_source == "normals"
 
     def make_observer_z(self, *_):
         s, correct = self.s, self.s.form == "correct"
@@ -191,9 +195,12 @@ class Frame:
             self.made["intensity" + channel] = next(rest)
             for k in range(len(self.sources)):
                 self.made["direct" + (str(k + 1) if k else "") + channel] = next(rest)
+        for axis in "xyz" if self.keeps_normals() else "":
+            self.made["normal_" + axis] = [n + 32768 for n in next(rest)]
         for k in range(len(self.lights) if correct else 0):
             self.made["mask" + (str(k + 1) if k else "")] = next(rest)
     make_intensity = make_direct = make_observer_z
+    make_normal_x = make_normal_y = make_normal_z = make_observer_z
 
     def make_mask(self, light, number, _):
         s = self.s
@@ -218,8 +225,12 @@ class Frame:
     def receiver_words(self, light):
         s, view = self.s, self.lights[light]
         limit = view.bias_quanta(s.bias_clamp, s.bias_unit, s) >> 16 if s.bias_clamp else None
-        return limit, Scale(scale_words(view, s, view.bias_quanta(s.bias, s.bias_unit, s)),
-                            s.fraction_bits)
+        scale = Scale(scale_words(view, s, view.bias_quanta(s.bias, s.bias_unit, s)),
+                      s.fraction_bits)
+        normals = None
+        if self.keeps_normals():
+            normals = self.normal_x, self.normal_y, self.normal_z
+        return limit, scale, light_axes(view), normals
 
     def mask_of_sectors(self, views, first):
         numbers = range(first, first + 6)
@@ -278,6 +289,8 @@ class Frame:
                    f"{c.drawn} | {c.samples} |")
 
     def bytes_a_value(self, buffer):
+        if buffer.startswith("normal"):
+            return 2
         return self.s.z_bytes if buffer.startswith(("observer_z", "light_z")) else 1
 
 

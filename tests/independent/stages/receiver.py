@@ -87,9 +87,35 @@ def normal(point, u, v, light):
     n = cross(u, v)
     if not all(fits(a, 26) for a in (*u, *v)) or not any(n):
         return None
+    return u, v, *cut_normal(n)
+
+
+def cut_normal(n):
+    """n' and its length."""
     up = 24 - max(map(abs, n)).bit_length()
     n = [a << up if up >= 0 else half_up(a, 1 << -up) for a in n]
-    return u, v, n, math.isqrt(dot(n, n))
+    return n, math.isqrt(dot(n, n))
+
+
+def light_axes(view):
+    """The light's X, Y and Z in the world (section 27), Q1.14."""
+    r, u, b = ([half_up(a, 1 << 16) for a in axis] for axis in view.axes)
+    return r, [-a for a in u], [-a for a in b]
+
+
+def in_light(n, axes):
+    """m of a pixel's N."""
+    return [half_up(dot(n, axis), 64) for axis in axes]
+
+
+def leaning(point, m, light):
+    """slope_X and slope_Y of a plane with the normal m, or None."""
+    scale, *tilts = light.at(point)
+    d = m[2] + half_up(dot(tilts, m[:2]), 65536)
+    if d == 0:
+        return None
+    sign = 1 if d > 0 else -1
+    return [word(half_up(-sign * scale * a, abs(d) << (4 + light.f)), 40) for a in m[:2]]
 
 
 def moved(point, u, v, turn, offset, light):
@@ -97,8 +123,11 @@ def moved(point, u, v, turn, offset, light):
     surface = normal(point, u, v, light)
     if surface is None:
         return point
+    return moved_along(point, *surface[2:], turn, offset, light)
+
+
+def moved_along(point, n, length, turn, offset, light):
     scale, *tilts = light.at(point)
-    *_, n, length = surface
     *aside, away = (half_up(-turn * 16 * offset * a, length) for a in n)
     return [*(at + half_up((m << 16) - t * away, 1 << (28 - light.f))
               for at, m, t in zip(point, aside, tilts)),
@@ -109,10 +138,10 @@ class Receivers:
     """The surfaces of an observer's pixels."""
 
     def __init__(self, codes, unit_at, words, s):
-        """unit_at(px, py, code) are the unit's results, or None; words are the limit of a plane
-        and the light's Scale."""
+        """unit_at(px, py, code) are the unit's results, or None; words are the limit of a plane,
+        the light's Scale and axes, and the planes of normals or None."""
         self.codes, self.unit_at, self.s = codes, unit_at, s
-        self.limit, self.light = words or (None, None)
+        self.limit, self.light, self.axes, self.normals = words or (None,) * 4
 
     def neighbour(self, px, py, dx, dy):
         """The one of two opposite neighbours that is taken, or None."""
@@ -127,6 +156,8 @@ class Receivers:
 
     def compared(self, px, py, point):
         """The results that are compared for a pixel's, and its plane or None."""
+        if self.s.receiver != "point" and self.s.slope_source == "normals":
+            return self.by_normal(py * self.s.size_px + px, point)
         beside, below = self.neighbour(px, py, 1, 0), self.neighbour(px, py, 0, 1)
         if self.s.receiver == "point" or point is None or beside is None or below is None:
             return point, None
@@ -138,4 +169,17 @@ class Receivers:
             turn = (beside[0] - px) * (below[1] - py)
             return moved(point, u, v, turn, self.s.normal_offset, self.light), None
         slopes = gradient(u, v)
+        return point, slopes and Plane(point, slopes, self.limit)
+
+    def by_normal(self, p, point):
+        """The same with the plane of normals (section 27)."""
+        n = [plane[p] - 32768 for plane in self.normals]
+        m = in_light(n, self.axes)
+        if point is None or not any(n):
+            return point, None
+        if self.s.receiver == "normal":
+            if any(m):
+                point = moved_along(point, *cut_normal(m), -1, self.s.normal_offset, self.light)
+            return point, None
+        slopes = leaning(point, m, self.light)
         return point, slopes and Plane(point, slopes, self.limit)

@@ -6,9 +6,13 @@ from .blocks import ALONG
 from .notation import cross, dot, half_up, shift_down
 
 
-def cut30(v):
+def cut_to(v, bits):
     w = max(map(abs, v)).bit_length()
-    return [half_up(x, 1 << (w - 30)) for x in v] if w > 30 else list(v)
+    return [half_up(x, 1 << (w - bits)) for x in v] if w > bits else list(v)
+
+
+def cut30(v):
+    return cut_to(v, 30)
 
 
 def unit14(v):
@@ -66,10 +70,11 @@ class Shading:
     """Sources are (view, levels); a material is (diffuse, specular, shininess), by channel the
     first two; the frame has as many channels as the levels that are given."""
 
-    rule = "phong"
+    rule, keeps_normals = "phong", False
 
-    def __init__(self, observer, sources, object_fraction, ambient, material, rule="phong"):
-        self.rule = rule
+    def __init__(self, observer, sources, object_fraction, ambient, material, rule="phong",
+                 keeps_normals=False):
+        self.rule, self.keeps_normals = rule, keeps_normals
         self.viewer = Toward(observer, object_fraction)
         self.towards = [Toward(view, object_fraction) for view, _ in sources]
         self.source_levels = [levels for _, levels in sources]
@@ -114,14 +119,20 @@ class Shading:
             result += [shares[-1], *(b - a for a, b in zip(shares, shares[1:]))]
         return tuple(result)
 
+    def kept(self, normal, to_viewer):
+        """The words N of section 27 for a normal of its words."""
+        return tuple(-n for n in normal) if dot(normal, to_viewer) < 0 else tuple(normal)
+
     def block(self, places):
-        """The levels of leaf (i, j) of a block, as a function."""
+        """The levels of leaf (i, j) of a block, as a function, and after them N if it is kept."""
         normals = corner_normals(places)
         corners = list(zip(*(comp[0] for comp in places)))
 
         @functools.lru_cache(None)
         def levels(i, j, shadowed=()):
-            place = at_leaf(corners, i, j)
-            return self.levels(at_leaf(normals, i, j), [to.at(place) for to in self.towards],
-                               self.viewer.at(place), shadowed)
+            place, normal = at_leaf(corners, i, j), at_leaf(normals, i, j)
+            to_viewer = self.viewer.at(place)
+            return (*self.levels(normal, [to.at(place) for to in self.towards], to_viewer,
+                                 shadowed),
+                    *(self.kept(cut_to(normal, 14), to_viewer) if self.keeps_normals else ()))
         return levels

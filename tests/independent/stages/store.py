@@ -3,7 +3,7 @@ from .bias import Casters, Layers, moved_code
 from .blocks import Counts, blocks, component, screen_components
 from .samples import block_corners, samples
 from .transform_unit import Loaded
-from .triangles import facet_levels, own_normal, triangle_samples, triangles, vertices
+from .triangles import facet_levels, triangle_samples, triangles, vertices
 
 
 def draw(patches, facets, object_fraction, view, s, record=None, shading=None):
@@ -64,8 +64,8 @@ def draw(patches, facets, object_fraction, view, s, record=None, shading=None):
     for points, normals in facets:
         facet = vertices(points, normals, loaded, s)
         for triangle in triangles(facet, loaded.affine, s, facing) or ():
-            shaded = record and record(facet_levels(shading, own_normal(facet),
-                                                    normals is not None, triangle))
+            shaded = record and record(facet_levels(shading, facet, normals is not None,
+                                                    triangle))
             store(of_facet(triangle, triangle_samples(triangle, s)), shaded)
     width = len(next(iter(stored.values()), (0, 0)))
     rest = [[stored[p][k] if p in stored else 0 for p in range(len(planes))]

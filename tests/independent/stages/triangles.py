@@ -143,9 +143,11 @@ def own_normal(facet):
     return unit14(notation.cross([q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)]))
 
 
-def facet_levels(shading, own, smooth, triangle):
-    """The levels at weights, as a function; own is the facet's g."""
-    rows = list(zip(*triangle))
+def facet_levels(shading, facet, smooth, triangle):
+    """The levels at weights, as a function, and after them N if it is kept."""
+    rows, own = list(zip(*triangle)), own_normal(facet)
+    kept = shading.kept(own, shading.viewer.at([1024 * word for word in facet[0][4:7]])) \
+        if shading.keeps_normals else ()
 
     def levels(e_a, e_b, e_c, shadowed=()):
         t = of_1024((e_a, e_b, e_c), rows[3])
@@ -156,5 +158,5 @@ def facet_levels(shading, own, smooth, triangle):
         to_viewer = shading.viewer.at(place)
         if (dot(normal, own) < 0) != (dot(own, to_viewer) < 0):
             normal = [-n for n in normal]
-        return shading.levels(normal, to_lights, to_viewer, shadowed, turn=False)
+        return (*shading.levels(normal, to_lights, to_viewer, shadowed, turn=False), *kept)
     return levels

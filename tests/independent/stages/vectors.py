@@ -7,10 +7,11 @@ from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
 from .ground import Ground, ShadowView, ellipse, ellipse_patches
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits, taps_of_pixel
-from .receiver import Plane, Receivers, Scale, gradient, moved
+from .receiver import (Plane, Receivers, Scale, cut_normal, gradient, in_light, leaning,
+                       light_axes, moved, moved_along)
 from .samples import leaf_corners, triangle_depth, z_code
 from .settings import Settings
-from .shading import Shading, Toward, at_leaf, corner_normals, unit14
+from .shading import Shading, Toward, at_leaf, corner_normals, cut_to, unit14
 from .shadow_test import LightMap, pixel_words
 from .transform_unit import Loaded, ScreenUnit
 from .triangles import (clockwise, facet_levels, own_normal, triangle_samples, weights,
@@ -228,7 +229,7 @@ def triangles(w):
     shade = plain_shading(ambient, material)
     shade.towards, shade.viewer = [light], viewer
     triangle = clockwise(*facet)
-    levels = facet_levels(shade, own_normal(facet), kind == "smooth", triangle)
+    levels = facet_levels(shade, facet, kind == "smooth", triangle)
     e = weights(triangle, take(w, 2))
     return [*levels(*e), *levels(*e, (0,))]
 
@@ -326,11 +327,47 @@ def bias(w):
     return layers.midpoints()[:1]
 
 
+def take_viewer(w):
+    kind, viewer = w.pop(0), Toward.__new__(Toward)
+    words = take(w, 3)
+    viewer.direction, viewer.eye = words, words if kind == "point" else None
+    return viewer
+
+
+def normals(w):
+    kind, shade = w.pop(0), Shading.__new__(Shading)
+    if kind == "leaf":
+        places = [take_component(w) for _ in range(3)]
+        viewer, (i, j) = take_viewer(w), take(w, 2)
+        corners = list(zip(*(comp[0] for comp in places)))
+        return shade.kept(cut_to(at_leaf(corner_normals(places), i, j), 14),
+                          viewer.at(at_leaf(corners, i, j)))
+    if kind == "facet":
+        facet = [(0, 0, 0, 1, *place) for place in triples(take(w, 9))]
+        viewer = take_viewer(w)
+        return shade.kept(own_normal(facet), viewer.at([1024 * v for v in facet[0][4:]]))
+    if kind == "light":
+        *axes, n = triples(take(w, 12))
+        view = View.__new__(View)
+        view.axes = axes
+        return in_light(n, light_axes(view))
+    f = int(w.pop(0))
+    count = 1 + (w[0] == "lamp")
+    numbers = [int(v) for v in w if v != "lamp"]
+    light, m, point = Scale(numbers[:count], f), numbers[count:count + 3], numbers[count + 3:]
+    at, more = point[:3], point[3:]
+    if kind == "moved":
+        return moved_along(at, *cut_normal(m), -1, more[0], light) if any(m) else at
+    slopes = leaning(at, m, light) or (0, 0)
+    return [*slopes, Plane(at, slopes, None).change(*more)]
+
+
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
           "matrices": matrices, "ground": ground,
           "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
-          "triangles": triangles, "dicing": dicing, "bias": bias, "noise": noise,
+          "triangles": triangles, "dicing": dicing, "bias": bias,
+          "normals": normals, "noise": noise,
           "shadow_test": shadow_test, "windows": windows,
           "dequantize": dequantized, "low_pass": low_passed, "composite": composite}
 

@@ -111,6 +111,19 @@ TEST(CostTable, SurfaceBias) {
     expect_row(row("the same, in a light's perspective, besides", cost::receiver_tilt));
 }
 
+TEST(CostTable, KeptNormals) {
+    namespace c = raster::cost;
+    expect_row(row("sample of a leaf, its normal kept", c::leaf_normal_kept));
+    expect_row(row("the same with shading = none, besides", c::leaf_normal_made));
+    expect_row(row("sample of a facet, its normal kept", c::facet_normal_kept));
+    expect_row(row("visible pixel, its plane from the normal", cost::kept_plane));
+    expect_row(row("its plane from the normal, in a light's perspective, besides",
+                   cost::kept_plane_tilt));
+    expect_row(row("visible pixel, moved along its kept normal", cost::kept_normal));
+    expect_row(row("moved along its kept normal, in a light's perspective, besides",
+                   cost::kept_normal_tilt));
+}
+
 TEST(CostTable, Sectors) {
     expect_row(row("visible pixel of a pass, its sector", cost::sector_pixel));
 }

@@ -211,5 +211,47 @@ TEST(PlanCost, OneMultiplierIsSparedTheConstantProducts) {
     EXPECT_EQ(saving(Omission::constant_product, plan, drawn).cycles, points * 3);
 }
 
+// The rows of hw/MACHINE.md, section 27, by hand: what a frame with kept normals costs more in the
+// observer's view, and in its test in place of the neighbours.
+TEST(PlanCost, OfKeptNormals) {
+    const auto ledger = [](PlannedScene p, SlopeSource source, raster::ShadingRule rule) {
+        p.settings.slope_source = source;
+        p.settings.shading = rule;
+        PlannedFrame f(p);
+        f.draw(make_plan(f.inputs));
+        return ledger_of(f);
+    };
+    for (const char* name : {"kept normals", "kept, unshaded"})
+        for (const auto rule : {raster::ShadingRule::phong, raster::ShadingRule::none}) {
+            SCOPED_TRACE(name);
+            const PlannedScene scene = test::planned_scene(name);
+            const FrameLedger with = ledger(scene, SlopeSource::normals, rule);
+            const FrameLedger without = ledger(scene, SlopeSource::depths, rule);
+            const raster::DrawCounts& counts = with.observer_counts;
+            const std::uint64_t facets = counts.facet_samples, leaves = counts.samples - facets;
+            ASSERT_GT(facets, 100u);
+            ASSERT_GT(leaves, 100u);
+            const hw::Operations &a = with.observer.operations, &b = without.observer.operations;
+            EXPECT_EQ(a.accesses - b.accesses, 3 * counts.samples);
+            if (rule == raster::ShadingRule::phong) {
+                EXPECT_EQ(a.adds - b.adds, 11 * leaves + 6 * facets);
+                EXPECT_EQ(a.passes - b.passes, 3 * facets);
+                EXPECT_EQ(a.quotient_bits, b.quotient_bits) << "no normal is made a unit";
+            } else {  // the components of the normals, the blocks' corners and the facets' own
+                EXPECT_EQ(a.quotient_bits - b.quotient_bits,
+                          75 * (4 * counts.blocks + counts.facets));
+                EXPECT_EQ(a.adds - b.adds,
+                          22 * leaves + 6 * facets + 4 * 48 * counts.blocks + 12 * counts.facets +
+                              3 * (60 * counts.subdivided() + 16 * counts.splits));
+            }
+            EXPECT_EQ(with.light.operations.adds, without.light.operations.adds);
+            const bool plane = scene.settings.receiver == Receiver::plane;
+            EXPECT_EQ(with.test.operations.accesses, 3 * with.visible);
+            EXPECT_EQ(without.test.operations.accesses, 13 * with.visible);
+            EXPECT_EQ(with.test.operations.adds, (plane ? 22 : 25) * with.visible);
+            EXPECT_EQ(with.test.operations.quotient_bits, (plane ? 80 : 79) * with.visible);
+        }
+}
+
 }  // namespace
 }  // namespace umbra78::shadow

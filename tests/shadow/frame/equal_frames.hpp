@@ -9,7 +9,8 @@
 
 namespace umbra78::shadow::test {
 
-// visit(name, a's plane, b's plane) for each of the eight; a form without a map has seven.
+// visit(name, a's plane, b's plane) for each of the eight; a form without a map has seven, frames
+// that both keep normals have nine.
 template <class A, class B, class Visit>
 void for_planes(const FrameBuffers<A>& a, const FrameBuffers<B>& b, Visit&& visit) {
     if (!a.lights[0].map.depth.empty() && !b.lights[0].map.depth.empty())
@@ -17,6 +18,8 @@ void for_planes(const FrameBuffers<A>& a, const FrameBuffers<B>& b, Visit&& visi
     visit("observer_z", a.observer.depth, b.observer.depth);
     visit("intensity", a.observer.intensity, b.observer.intensity);
     visit("direct", a.observer.direct, b.observer.direct);
+    if (!a.observer.normal.empty() && !b.observer.normal.empty())
+        visit("normal", a.observer.normal, b.observer.normal);
     visit("mask", a.lights[0].mask, b.lights[0].mask);
     visit("edges", a.lights[0].edges, b.lights[0].edges);
     visit("filtered", a.lights[0].filtered, b.lights[0].filtered);

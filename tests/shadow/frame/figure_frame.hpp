@@ -48,7 +48,7 @@ struct Frame {
         : memory(frame_bytes<Depth>(spec, patches, shape)),
           buffers(carve<Depth>(memory.span(), spec, patches, shape)) {}
     Frame(const Scene& scene, const Settings& settings)
-        : Frame(settings.machine, scene.patches.size(), FrameShape(scene, map_layers(settings))) {
+        : Frame(settings.machine, scene.patches.size(), FrameShape(scene, settings)) {
         draw(scene, settings);
     }
     FrameStatus draw(const Scene& scene, const Settings& settings) {

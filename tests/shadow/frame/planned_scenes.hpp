@@ -264,6 +264,14 @@ inline std::vector<PlannedScene> planned_scenes() {
         p.settings.receiver = Receiver::normal;
         p.settings.bias_q16 = 2 << 16;
     }
+    for (const Receiver receiver : {Receiver::plane, Receiver::normal}) {
+        PlannedScene& p = add(receiver == Receiver::plane ? "kept normals" : "kept, unshaded", 4);
+        add_mesh(p);
+        p.settings.receiver = receiver;
+        p.settings.slope_source = SlopeSource::normals;
+        p.settings.bias_q16 = 2 << 16;
+        if (receiver == Receiver::normal) p.settings.shading = raster::ShadingRule::none;
+    }
     add_grounds(all);
     return all;
 }
@@ -277,9 +285,10 @@ inline PlannedScene planned_scene(std::string_view name) {
 
 // A planned scene's inputs, and memory to draw it in. The scene must outlive it.
 struct PlannedFrame {
-    explicit PlannedFrame(const PlannedScene& planned)
+    // `normals`: with room for them, whether the scene keeps them or not.
+    explicit PlannedFrame(const PlannedScene& planned, bool normals = false)
         : frame(planned.settings.machine, planned.patches.size(),
-                FrameShape(map_layers(planned.settings) == 0 ? 0 : 2)),
+                shape(planned.settings, normals)),
           inputs{planned.scene(), planned.settings, {}} {
         EXPECT_EQ(load_matrices(inputs.scene, inputs.settings, inputs.matrices),
                   FrameStatus::ok)
@@ -304,6 +313,13 @@ struct PlannedFrame {
     struct alignas(frame_alignment) Line {
         std::array<std::byte, frame_alignment> bytes;
     };
+
+    static FrameShape shape(const Settings& settings, bool normals) {
+        FrameShape s(map_layers(settings) == 0 ? 0 : 2);
+        s.normals = normals || reads_normals(settings);
+        return s;
+    }
+
     Frame<> frame;
     std::vector<Line> method_memory;
     FrameInputs inputs;

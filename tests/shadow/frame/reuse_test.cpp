@@ -35,7 +35,7 @@ std::string kept(const FramePlan& plan) {
 std::string draw_over(const PlannedScene& before, const PlannedScene& now) {
     PlannedFrame fresh(now);
     fresh.draw(make_plan(fresh.inputs));
-    PlannedFrame used(before);
+    PlannedFrame used(before, true);
     const FrameInputs old = used.inputs;
     const FramePlan plan = make_plan(fresh.inputs, &old);
     for (std::size_t k = 0; k <= standing.size(); ++k) {
@@ -235,6 +235,34 @@ TEST(Reuse, TheNormalsOffsetIsTheMasks) {
     changed = base;
     changed.settings.bias_clamp_q16 = 1 << 16;  // of a plane
     EXPECT_EQ(draw_over(base, changed), "LDOMP");
+}
+
+// Normals are drawn with the intensities and decide the mask: they are kept with them or not.
+TEST(Reuse, KeptNormalsAreTheObservers) {
+    for (const char* name : {"kept normals", "kept, unshaded"}) {
+        const PlannedScene base = test::planned_scene(name);
+        EXPECT_EQ(draw_over(base, base), "LDOMP") << name;
+        PlannedScene changed = base;
+        changed.settings.slope_source = SlopeSource::depths;
+        EXPECT_EQ(draw_over(base, changed), "LDO") << name;
+        EXPECT_EQ(draw_over(changed, base), "LD") << name << ": the normals are still to be drawn";
+        changed = base;
+        changed.settings.receiver = Receiver::point;
+        EXPECT_EQ(draw_over(base, changed), "LDO") << name;
+        EXPECT_EQ(draw_over(changed, base), "LD") << name;
+        changed = base;
+        changed.settings.ambient_q8 /= 2;  // a tie of depths may have another winner
+        EXPECT_EQ(draw_over(base, changed), "LD") << name;
+        changed = base;
+        changed.light.axes = raster::axes_from_angles(-80 << 16, 10 << 16);
+        EXPECT_EQ(draw_over(base, changed), "D") << name;
+    }
+    PlannedScene base = test::planned_scene("kept, unshaded"), changed = base;
+    changed.settings.normal_offset_q8 /= 2;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
+    base = test::planned_scene("kept normals"), changed = base;
+    changed.settings.bias_clamp_q16 = 1 << 16;
+    EXPECT_EQ(draw_over(base, changed), "LDO");
 }
 
 TEST(Reuse, TheLightMoves) {

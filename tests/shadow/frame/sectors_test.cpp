@@ -62,7 +62,7 @@ struct Lit {
 
 // Lookups, dithers, accumulators and receivers under which the two ways are compared.
 std::vector<Settings> ways_to_look_up() {
-    std::vector<Settings> all(7, small_sectored());
+    std::vector<Settings> all(9, small_sectored());
     all[1].lookup = Lookup::bilinear;
     all[1].dither.shape = hw::DitherShape::normal;
     all[2].lookup = Lookup::percentage;
@@ -72,6 +72,9 @@ std::vector<Settings> ways_to_look_up() {
     all[3].machine.divide_order = hw::DivideOrder::round_first;
     all[4].receiver = Receiver::plane;
     all[6].receiver = Receiver::normal;
+    all[7].receiver = Receiver::plane;
+    all[8].receiver = Receiver::normal;
+    all[7].slope_source = all[8].slope_source = SlopeSource::normals;
     all[5].machine.coefficient_bits = 12;  // few bits: many directions tie
     return all;
 }

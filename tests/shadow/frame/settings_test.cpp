@@ -31,13 +31,12 @@ using A = Anything;
 // Every member of Settings, by value. A new member no longer fits the bindings or the counts, which
 // is a compile error here until it is named, and then a failure below until the table names it too.
 static_assert(Has<TimedTest, ShadowTest, A> && !Has<TimedTest, ShadowTest, A, A>);
-static_assert(Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
-                  A, A, A> &&
-              !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A,
-                  A, A, A, A>);
+static_assert(
+    Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A> &&
+    !Has<Settings, TimedTest, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A, A>);
 auto members(const Settings& s) {
     const auto& [machine, registration, lookup, background, taps, tap_places, dither, receiver,
-                 normal_offset_q8] = static_cast<const ShadowTest&>(s);
+                 normal_offset_q8, slope_source] = static_cast<const ShadowTest&>(s);
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                  max_accumulator_bits, product_rounding, transform_rounding, coefficient_rounding,
                  depth_rounding, divide_order] = machine;
@@ -48,15 +47,14 @@ auto members(const Settings& s) {
     return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                            max_accumulator_bits, product_rounding, transform_rounding,
                            coefficient_rounding, depth_rounding, divide_order, s.surface,
-                           s.dice_levels, s.facing, s.sampling,
-                           registration, lookup, background, taps, tap_places, s.bias_q16,
-                           s.bias_unit, s.map_depth, s.bias_slope_q8, s.bias_clamp_q16, receiver,
-                           normal_offset_q8, shape, size_q8, seed, s.dequantize_passes,
-                           s.low_pass_passes, s.ambient_q8, s.shading, s.composite, s.density_q8,
-                           s.form,
-                           clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits,
-                           light_banks, access_ns, cycle_ns, column_ns, page_ns, rows, video,
-                           s.arithmetic, s.array_memory, s.sector_test);
+                           s.dice_levels, s.facing, s.sampling, registration, lookup, background,
+                           taps, tap_places, s.bias_q16, s.bias_unit, s.map_depth, s.bias_slope_q8,
+                           s.bias_clamp_q16, receiver, normal_offset_q8, slope_source, shape,
+                           size_q8, seed, s.dequantize_passes, s.low_pass_passes, s.ambient_q8,
+                           s.shading, s.composite, s.density_q8, s.form, clock_ns, multiply_ns,
+                           add_ns, register_ns, divider, noise_bits, light_banks, access_ns,
+                           cycle_ns, column_ns, page_ns, rows, video, s.arithmetic, s.array_memory,
+                           s.sector_test);
 }
 constexpr std::size_t member_count = std::tuple_size_v<decltype(members(Settings{}))>;
 
@@ -144,14 +142,13 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"coefficient_rounding", 6}, {"depth_rounding", 3},
         {"divide_order", 0},    {"sampling", 1},
         {"surface", 0},         {"dice_levels", 3},
-        {"facing", 0},
-        {"registration", 0},    {"lookup", 0},
+        {"facing", 0},          {"registration", 0}, {"lookup", 0},
         {"background", 0},      {"bias", 64 << 16},
         {"taps", 3},            {"tap_places", 0},
         {"bias_unit", 0},       {"dither", 0},
         {"map_depth", 0},       {"bias_slope", 0},
         {"bias_clamp", 0},      {"receiver", 0},
-        {"normal_offset", 256},
+        {"normal_offset", 256}, {"slope_source", 0},
         {"dither_size", 256},   {"dither_seed", 0x12345678},
         {"dequantize", 0},      {"low_pass", 0},
         {"ambient", 77},        {"shading", 0},
@@ -219,6 +216,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("receiver", "point", Receiver::point));
     all.push_back(named("receiver", "plane", Receiver::plane));
     all.push_back(named("receiver", "normal", Receiver::normal));
+    all.push_back(named("slope_source", "depths", SlopeSource::depths));
+    all.push_back(named("slope_source", "normals", SlopeSource::normals));
     all.push_back(named("dither", "none", hw::DitherShape::none));
     all.push_back(named("dither", "uniform", hw::DitherShape::uniform));
     all.push_back(named("dither", "triangular", hw::DitherShape::triangular));
@@ -238,9 +237,10 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("composite", "direct", Composite::direct));
     all.push_back(named("composite", "whole", Composite::whole));
     for (const auto& [name, form] :
-         {std::pair{"post_process", Form::post_process}, {"correct", Form::correct},
-          {"ground", Form::ground}, {"blob", Form::blob}, {"brute", Form::brute}, {"volumes",
-          Form::volumes}})
+         {std::pair{"post_process", Form::post_process}, {"correct", Form::correct}, {"ground",
+          Form::ground}, {"blob", Form::blob}, {"brute", Form::brute}, {"volumes", Form::volumes},
+          {"bouknight_kelley", Form::bouknight_kelley}, {"appel", Form::appel},
+          {"splitting", Form::splitting}, {"irregular", Form::irregular}})
         all.push_back(named("form", name, form));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
@@ -337,6 +337,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"bias_clamp", {0, one << 40}},
         {"receiver", {0, 2}},
         {"normal_offset", {0, 16 << 8}},
+        {"slope_source", {0, 1}},
         {"dither", {0, 4}},
         {"dither_size", {0, 1024}},
         {"dither_seed", {1, 2147483647}},
@@ -346,7 +347,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 5}},
+        {"form", {0, 9}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"sector_test", {0, 1}},

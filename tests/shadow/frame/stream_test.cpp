@@ -32,7 +32,7 @@ std::uint32_t largest_of(const raster::Surfaces& surfaces) {
 // A held scene as a stream's, and a frame carved for no patch at all.
 struct StreamedFrame {
     explicit StreamedFrame(Scene held, const Settings& settings)
-        : frame(settings.machine, 0, FrameShape(2)) {
+        : frame(settings.machine, 0, test::PlannedFrame::shape(settings, false)) {
         held.streamed = true;
         held.largest_streamed = largest_of(held.surfaces());
         held.patches = {};

@@ -107,6 +107,11 @@ std::string buffer_hash(const test::Frame<Depth>& f, const Scene& scene, const s
     if (kind == "observer_z") return hash(b.observer.depth, size);
     if (kind == "light_z") return hash(b.lights[name.number].map.depth, size);
     if (kind == "mask") return hash(b.lights[name.number].mask, size);
+    if (kind.starts_with("normal_")) {
+        const std::span all = b.observer.normal;
+        const auto axis = static_cast<std::size_t>(kind.back() - 'x');
+        return hash(all.subspan(axis * b.pixels(), b.pixels()), size);
+    }
     if (kind == "intensity") return hash(b.intensity(name.channel), size);
     if (kind == "direct") return hash(b.direct(name.channel, name.number), size);
     if (kind == "picture") return hash(b.picture_of(name.channel), size);

@@ -127,6 +127,39 @@ TEST(RenderJob, AFormOnAGroundHasNoMap) {
               "make another");
 }
 
+// Three planes more, by their axes; and no room for them in a frame made without.
+TEST(RenderJob, NormalsAreKeptWhereTheyAreAskedFor) {
+    const SmallScene scene;
+    shadow::Settings settings = scene.settings;
+    settings.receiver = shadow::Receiver::plane;
+    RenderJob without(scene.view(), settings);
+    settings.slope_source = shadow::SlopeSource::normals;
+    EXPECT_EQ(error_of([&] { without.use(settings); }),
+              "this frame was made without normals: for slope_source=normals make another");
+    RenderJob job(scene.view(), settings);
+    EXPECT_EQ(job.frame_bytes() - without.frame_bytes(), 6u * 64 * 64);
+    job.render();
+    std::vector<std::string> names;
+    for (const PlaneOf& plane : job.planes())
+        if (plane.plane == Plane::normal) names.push_back(name_of(plane));
+    EXPECT_EQ(names, (std::vector<std::string>{"normal_x", "normal_y", "normal_z"}));
+    const Buffer x = job.buffer({Plane::normal, 0, 0}), z = job.buffer({Plane::normal, 0, 2});
+    EXPECT_EQ(x.maxval, 65535u);
+    const Buffer depths = job.buffer(Plane::observer_z);
+    for (std::size_t a = 0; a < x.pixels(); ++a) {
+        if (depths.at(a) == depths.maxval) {
+            EXPECT_EQ(z.at(a), 32768u) << "background has none";
+        } else {
+            EXPECT_GE(z.at(a), 32768u) << "toward the observer, who looks along -z";
+        }
+    }
+    // The same memory for the other source: nothing is kept, and no plane is listed.
+    settings.slope_source = shadow::SlopeSource::depths;
+    job.use(settings);
+    job.render();
+    EXPECT_EQ(hashes(job), hashes_of(scene, settings));
+}
+
 // What fits is taken over: every plane is that of a job of its own.
 TEST(RenderJob, OtherSettingsAndScenesAreTakenOver) {
     const SmallScene scene;

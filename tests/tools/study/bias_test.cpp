@@ -167,8 +167,8 @@ TEST(BiasStudy, RunsASweepAndASearch) {
 
     int forms = 0;
     for (const Case& c : cases) forms += c.extra.at(0).second == "form" ? 1 : 0;
-    EXPECT_EQ(forms, 12) << "the constant alone, two maps, two slopes, a plane, two with a limit, "
-                            "four normal offsets";
+    EXPECT_EQ(forms, 18) << "the constant alone, two maps, two slopes, one with a limit; and by "
+                            "either source a plane, one with a limit, four normal offsets";
     const Row form = figures_of(*study, request, find("form"));
     EXPECT_EQ(form.number("least_outside_quanta"), search.number("least_outside_quanta"))
         << "the first form is the constant alone";

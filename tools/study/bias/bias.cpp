@@ -52,9 +52,11 @@ std::vector<Case> forms(const Request& search, bool quick) {
         {{"map_depth", {"first", "back", "midpoint"}}},
         {{"bias_slope", {"0.5", "1"}}},
         {{"bias_slope", {"1"}}, {"bias_clamp", {"512"}}},
-        {{"receiver", {"plane"}}},
-        {{"receiver", {"plane"}}, {"bias_clamp", {"512"}}},
-        {{"receiver", {"normal"}}, {"normal_offset", {"0.5", "0.75", "1", "2"}}}};
+        {{"receiver", {"plane"}}, {"slope_source", {"depths", "normals"}}},
+        {{"receiver", {"plane"}}, {"bias_clamp", {"512"}}, {"slope_source", {"depths", "normals"}}},
+        {{"receiver", {"normal"}},
+         {"normal_offset", {"0.5", "0.75", "1", "2"}},
+         {"slope_source", {"depths", "normals"}}}};
     std::vector<Case> cases;
     for (std::vector<GridKey> form : all) {
         std::vector<GridKey> axes{{"lookup", {"nearest", "bilinear"}},

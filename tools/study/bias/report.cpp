@@ -278,9 +278,9 @@ std::vector<UnitSpread> unit_spreads(std::span<const Row> rows) {
 }
 
 void report_bias(const Request& request, std::span<const Row> all, Report& report) {
-    constexpr std::array<std::string_view, 12> keys{
+    constexpr std::array<std::string_view, 13> keys{
         "sampling", "lookup", "dither", "bias", "bias_unit", "xy_bits", "z_bits", "map_depth",
-        "bias_slope", "bias_clamp", "receiver", "normal_offset"};
+        "bias_slope", "bias_clamp", "receiver", "normal_offset", "slope_source"};
     // --auto names neither widths nor forms.
     const auto own = std::span(keys).first(request.automatic ? 5 : keys.size());
     write_sections(request, own, all, report, [&](std::span<const Row> rows, Report& some) {

@@ -31,10 +31,12 @@ Timed timed(int runs, Stage stage) {
     return {ms[ms.size() / 2], ms.back() - ms.front()};
 }
 
-// What a scene must share with a job to be drawn by it: everything except settings, and the widths
-// of the job's planes.
+// What a scene must share with a job to be drawn by it: everything except settings, and the job's
+// planes with their widths.
 std::string key_of(const std::string& text, const LoadedScene& scene) {
-    return fmt::format("{} {}{}", scene.settings.machine.z_bits, truth_key(scene), text);
+    return fmt::format("{} {} {} {}{}", scene.settings.machine.z_bits,
+                       shadow::map_layers(scene.settings), shadow::reads_normals(scene.settings),
+                       truth_key(scene), text);
 }
 
 }  // namespace

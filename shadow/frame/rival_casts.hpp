@@ -1,0 +1,19 @@
+// Each rival of shadow/rivals, handed its memory from what is left of the frame's.
+#pragma once
+
+#include "shadow/carver.hpp"
+#include "shadow/frame/settings.hpp"
+#include "shadow/rivals/costs.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace umbra78::shadow {
+
+// Writes the mask and returns what it took. If the carver does not hold it afterwards, the mask is
+// not complete, and used() is what would have let it go on.
+rivals::Work cast_by(Form form, const rivals::Setting& setting,
+                     std::span<const std::uint32_t> shown, Carver& carver,
+                     std::span<std::uint8_t> mask);
+
+}  // namespace umbra78::shadow
