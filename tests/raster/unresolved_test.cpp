@@ -23,7 +23,7 @@ TEST(Unresolved, BlocksOfTheLastLevelAreDroppedAndCounted) {
     for (const std::int32_t extent : {1, 2, 16}) {
         for (const double lean : {0.0, 0.4}) {
             const Patches floor{
-                plane_patch(plane({-30001, -30002, 0}, {60000, 0, lean}, {0, 60000, lean}))};
+                plane_patch(plane({-16001, -16002, 0}, {32000, 0, lean}, {0, 32000, lean}))};
             View view = umbra78::test::orthographic(0, 0, 1);
             view.extent = extent;
             view.near_depth = -(std::int64_t{1} << 32);

@@ -236,11 +236,12 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     all.push_back(named("shading", "none", raster::ShadingRule::none));
     all.push_back(named("composite", "direct", Composite::direct));
     all.push_back(named("composite", "whole", Composite::whole));
+    using enum Form;
     for (const auto& [name, form] :
-         {std::pair{"post_process", Form::post_process}, {"correct", Form::correct}, {"ground",
-          Form::ground}, {"blob", Form::blob}, {"brute", Form::brute}, {"volumes", Form::volumes},
-          {"bouknight_kelley", Form::bouknight_kelley}, {"appel", Form::appel},
-          {"splitting", Form::splitting}, {"irregular", Form::irregular}})
+         {std::pair{"post_process", post_process}, {"correct", correct}, {"ground", ground},
+          {"blob", blob}, {"brute", brute}, {"volumes", volumes}, {"appel", appel},
+          {"bouknight_kelley", bouknight_kelley}, {"splitting", splitting},
+          {"irregular", irregular}})
         all.push_back(named("form", name, form));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
@@ -411,40 +412,6 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
     high.machine.z_bits = 16;
     for (const Settings& s : {low, high}) draw(s, "all");
     EXPECT_GT(drawn, 150);
-}
-
-// What the machine's checks refuse within the table's ranges.
-TEST(SettingsTable, GapsAreRefused) {
-    Settings s;
-    EXPECT_TRUE(can_be_built(s));
-    for (const int banks : {2, 3}) {
-        s.timing.light_banks = banks;
-        EXPECT_FALSE(can_be_built(s)) << banks;
-    }
-    s = {};
-    s.timing.clock_ns = s.timing.register_ns;
-    EXPECT_FALSE(can_be_built(s));
-    s = {};
-    s.machine.multipliers = 3;
-    EXPECT_FALSE(can_be_built(s));
-    s = {};
-    s.arithmetic = Arithmetic::ap120b;
-    EXPECT_TRUE(can_be_built(s));
-    s.machine.z_bits = 17;
-    EXPECT_FALSE(can_be_built(s)) << "the host sends 16 bits";
-    s.machine.z_bits = 16;
-    s.form = Form::correct;
-    EXPECT_FALSE(can_be_built(s));
-    for (const Receiver receiver : {Receiver::plane, Receiver::normal}) {
-        s = {};
-        s.receiver = receiver;
-        EXPECT_TRUE(can_be_built(s));
-        s.arithmetic = Arithmetic::ap120b;
-        EXPECT_FALSE(can_be_built(s)) << "no pass over neighbours";
-        s.arithmetic = Arithmetic::fixed;
-        s.form = Form::correct;
-        EXPECT_FALSE(can_be_built(s)) << "no finished store";
-    }
 }
 
 }  // namespace

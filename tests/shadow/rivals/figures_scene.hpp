@@ -43,7 +43,7 @@ public:
         add_diced(surfaces, levels, to, *dice_memory, builder);
         Mesh mesh;
         fixed::require(builder.finish(mesh) == MeshStatus::ok, "the figures' mesh");
-        setting_memory_ = std::make_unique<Memory>(setting_bytes(mesh));
+        setting_memory_ = std::make_unique<Memory>(setting_bytes(mesh.facets.size(), mesh.edges.size()));
         fixed::require(make_setting(space, mesh, centre, setting_memory_->bytes(), setting_),
                        "the figures' setting");
         shown_.resize(space.pixels());

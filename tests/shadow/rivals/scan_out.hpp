@@ -133,7 +133,7 @@ private:
         add_diced(surfaces, levels, to, *dice_memory, builder);
         Mesh mesh;
         fixed::require(builder.finish(mesh) == MeshStatus::ok, "its mesh");
-        setting_memory_ = std::make_unique<Memory>(setting_bytes(mesh));
+        setting_memory_ = std::make_unique<Memory>(setting_bytes(mesh.facets.size(), mesh.edges.size()));
         fixed::require(make_setting(space, mesh, light, setting_memory_->bytes(), setting_),
                        "its setting");
         shown_.resize(space.pixels());

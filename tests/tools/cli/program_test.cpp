@@ -166,10 +166,10 @@ TEST_F(Program, VersionIsTheProjects) {
 TEST_F(Program, StudyListsItselfAsJsonToo) {
     const json list = parse_json(run("study --json").out);
     const std::string text = run("study").out;
-    ASSERT_EQ(list.size(), 10u);
+    ASSERT_EQ(list.size(), 11u);
     for (const json& row : list)
         EXPECT_NE(text.find(row["study"].get<std::string>()), std::string::npos) << row;
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11);
 }
 
 TEST_F(Program, RenderWritesThePictureAndTheBuffers) {
