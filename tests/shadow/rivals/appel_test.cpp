@@ -20,7 +20,7 @@ std::vector<std::int32_t> carried_numbers(const Setting& s, std::span<const std:
 // The invariant, at each pixel and so at each run's end.
 TEST(Appel, CarriesTheNumberOfSurfacesInRandomScenes) {
     std::array<AppelCounts, 2> all{};
-    for (std::uint32_t seed = 0; seed < 10'000; ++seed) {
+    for (std::uint32_t seed = 0; seed < random_scenes; ++seed) {
         const Scene scene(random_polygons(seed));
         const Setting& s = scene.setting();
         const Linked linked(s, scene.shown());
@@ -45,12 +45,12 @@ TEST(Appel, CarriesTheNumberOfSurfacesInRandomScenes) {
     EXPECT_EQ(c.seeds + c.carried, c.runs);
     EXPECT_EQ(all[0].seeds, all[0].runs);
     // The scenes do ask for each case.
-    EXPECT_GT(c.carried, 300u);
-    EXPECT_GT(c.not_joined, 300u);
-    EXPECT_GT(c.contour, 20u);
-    EXPECT_GT(c.vertex, 2u);
-    EXPECT_GT(c.border_on_edge, 2u);
-    EXPECT_GT(c.crossings, 1'000u);
+    EXPECT_GT(c.carried, enough(300));
+    EXPECT_GT(c.not_joined, enough(300));
+    EXPECT_GT(c.contour, enough(20));
+    EXPECT_GE(c.vertex, enough(3));
+    EXPECT_GE(c.border_on_edge, enough(3));
+    EXPECT_GT(c.crossings, enough(1'000));
 }
 
 // `coarse`: facets are larger than pixels, so that most follow a neighbour.

@@ -31,7 +31,7 @@ std::vector<std::uint8_t> second_scan(const Setting& s, std::span<const std::uin
 TEST(BouknightKelley, EqualsBruteForceInRandomScenes) {
     std::array<ScanOutCounts, 3> counts{};
     BorderCounts borders;
-    for (std::uint32_t seed = 0; seed < 10'000; ++seed) {
+    for (std::uint32_t seed = 0; seed < random_scenes; ++seed) {
         const Scene scene(random_polygons(seed));
         const Linked linked(scene.setting(), scene.shown());
         const Bordered bordered(scene.setting(), linked.links);
@@ -45,12 +45,12 @@ TEST(BouknightKelley, EqualsBruteForceInRandomScenes) {
                 << "seed " << seed << ", " << second_scan_forms[i].name;
     }
     // The scenes do ask for all of it.
-    EXPECT_GT(counts[0].crossings, 3'000u);
-    EXPECT_GT(counts[0].compares, 500u);
-    EXPECT_GT(counts[1].stopped, 3'000u);
-    EXPECT_GT(counts[2].crossings, 1'000u);
-    EXPECT_GT(borders.edges, 10'000u);
-    EXPECT_GT(borders.facets, 5'000u);
+    EXPECT_GT(counts[0].crossings, enough(3'000));
+    EXPECT_GT(counts[0].compares, enough(500));
+    EXPECT_GT(counts[1].stopped, enough(3'000));
+    EXPECT_GT(counts[2].crossings, enough(1'000));
+    EXPECT_GT(borders.edges, enough(10'000));
+    EXPECT_GT(borders.facets, enough(5'000));
 }
 
 // Of a Scene or a FiguresScene.

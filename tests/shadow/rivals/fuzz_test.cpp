@@ -6,8 +6,6 @@
 namespace umbra78::shadow::rivals::test {
 namespace {
 
-constexpr std::uint32_t scenes = 10'000;
-
 // The scenes do test something: what they show, what is lit, dark, and exactly on a border.
 TEST(RivalFuzz, ScenesAreFullOfTies) {
     std::size_t seen = 0, attached = 0, cast = 0, ties = 0;
@@ -34,7 +32,7 @@ TEST(RivalFuzz, ScenesAreFullOfTies) {
 }
 
 TEST(RivalFuzz, TheGridLeavesOutNothing) {
-    for (std::uint32_t seed = 0; seed < scenes; ++seed) {
+    for (std::uint32_t seed = 0; seed < random_scenes; ++seed) {
         const Scene scene(random_polygons(seed));
         std::vector<std::uint8_t> mask(scene.shown().size());
         for (const int cells : {0, 1, 8}) {
@@ -50,7 +48,7 @@ TEST(RivalFuzz, TheGridLeavesOutNothing) {
 }
 
 TEST(RivalFuzz, VolumesCountTheSurfaces) {
-    for (std::uint32_t seed = 0; seed < scenes; ++seed) {
+    for (std::uint32_t seed = 0; seed < random_scenes; ++seed) {
         const Scene scene(random_polygons(seed));
         const Setting& s = scene.setting();
         std::vector<ContourEdge> contour(find_contour(s, {}));

@@ -17,7 +17,7 @@ std::vector<std::uint32_t> sorted_links(const Links& links, std::size_t facet) {
 
 TEST(RivalLinks, LeaveOutNoFacetThatShadows) {
     std::size_t shadows = 0, links = 0, left_out = 0;
-    for (std::uint32_t seed = 0; seed < 10'000; ++seed) {
+    for (std::uint32_t seed = 0; seed < random_scenes; ++seed) {
         const Scene scene(random_polygons(seed));
         const Setting& s = scene.setting();
         const Linked linked(s, scene.shown());
@@ -41,9 +41,9 @@ TEST(RivalLinks, LeaveOutNoFacetThatShadows) {
             }
         }
     }
-    EXPECT_GT(shadows, 10'000u);
-    EXPECT_GT(links, 20'000u);
-    EXPECT_GT(left_out, 3'000u);
+    EXPECT_GT(shadows, enough(10'000));
+    EXPECT_GT(links, enough(20'000));
+    EXPECT_GT(left_out, enough(3'000));
 }
 
 TEST(RivalLinks, AreThoseOfEveryPairWhateverTheSectors) {

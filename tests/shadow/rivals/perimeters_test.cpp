@@ -8,7 +8,7 @@
 namespace umbra78::shadow::rivals::test {
 namespace {
 
-constexpr std::uint32_t perimeter_scenes = 10'000;
+constexpr std::uint32_t perimeter_scenes = random_scenes;
 
 // How many fragments are placed after that of `on` which a pixel shows, and hide the point; 1 if
 // no fragment has the point.
@@ -43,7 +43,7 @@ TEST(LightOrder, PutsNothingAfterWhatItHides) {
                 << "seed " << seed << ", pixel " << at;
         }
     }
-    EXPECT_GT(cycles, 500u);
+    EXPECT_GT(cycles, enough(500));
 }
 
 TEST(Perimeters, EqualBruteForce) {
@@ -64,8 +64,8 @@ TEST(Perimeters, EqualBruteForce) {
                 << "seed " << seed << ", pixel " << at;
         }
     }
-    EXPECT_GT(cycles, 5'000u);
-    EXPECT_GT(left_out, 5'000u);
+    EXPECT_GT(cycles, enough(5'000));
+    EXPECT_GT(left_out, enough(5'000));
 }
 
 // The widest words, with lines of meetings on third facets: a bound that is too small would trap.
@@ -79,7 +79,7 @@ TEST(Perimeters, WideWordsFit) {
         ASSERT_EQ(o.mask(), scene.brute_mask()) << "seed " << seed;
         cycles += o.order_counts().cycles;
     }
-    EXPECT_GT(cycles, 500u);
+    EXPECT_GT(cycles, enough(500));
 }
 
 TEST(Perimeters, CountTheAreasOfNamedScenes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shadow/rivals/volumes.hpp"
+#include "tests/support/effort.hpp"
 
 #include <array>
 #include <cstdint>
@@ -14,6 +15,14 @@
 namespace umbra78::shadow::rivals::test {
 
 inline constexpr Centre straight_ahead{0, 0, -1, 0};
+
+// How many random scenes every rival is compared in.
+inline constexpr std::uint32_t random_scenes =
+    static_cast<std::uint32_t>(umbra78::test::effort(10'000));
+// What they should come to at least, where all of them come to this.
+constexpr std::uint64_t enough(std::uint64_t of_all) {
+    return umbra78::test::sanitized ? of_all / 16 : of_all;
+}
 
 // Memory aligned as the core wants it.
 class Memory {

@@ -8,7 +8,7 @@
 namespace umbra78::shadow::rivals::test {
 namespace {
 
-constexpr std::uint32_t split_scenes = 10'000;
+constexpr std::uint32_t split_scenes = random_scenes;
 
 TEST(Split, EqualsBruteForce) {
     std::uint64_t partly = 0, undone = 0, wide = 0, pieces = 0;
@@ -25,10 +25,10 @@ TEST(Split, EqualsBruteForce) {
             pieces += o.store().needed().pieces;
         }
     }
-    EXPECT_GT(partly, 1'000u);  // of planes that cross
-    EXPECT_GT(undone, 1'000u);
-    EXPECT_GT(wide, 10'000u);
-    EXPECT_GT(pieces, 30'000u);
+    EXPECT_GT(partly, enough(1'000));  // of planes that cross
+    EXPECT_GT(undone, enough(1'000));
+    EXPECT_GT(wide, enough(10'000));
+    EXPECT_GT(pieces, enough(30'000));
 }
 
 // The widest words: a bound that is too small would trap.
@@ -41,7 +41,7 @@ TEST(Split, WideWordsFit) {
         ASSERT_EQ(o.mask(), scene.brute_mask()) << "seed " << seed;
         wide += o.split_counts().cuts.signs.meetings;
     }
-    EXPECT_GT(wide, 10'000u);
+    EXPECT_GT(wide, enough(10'000));
 }
 
 TEST(Split, PiecesAreAPartition) {

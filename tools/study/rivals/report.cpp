@@ -189,9 +189,9 @@ void report_rivals(const Request& request, std::span<const Row> all, Report& rep
     if (!any) return report.answer("No case was measured; the rows' status says why.");
     answer_exactness(all, report);
     answer_cost(all, report);
-    table_of_methods(all, report);
     plots(all, report);
     picture(request, all, report);
+    table_of_methods(all, report);
 }
 
 }  // namespace umbra78::tools::study
