@@ -36,7 +36,8 @@ inline constexpr Operations picture_place{2, 4, 4, 0, 0, 0};
 inline constexpr Operations picture_facet = 3 * picture_place + Operations{12, 0, 0, 0, 0, 0};
 inline constexpr Operations box_test{4, 0, 0, 0, 0, 1};
 inline constexpr Operations depth_test{1, 0, 0, 0, 0, 0};
-// Two planes meet in a line on the screen, and a row cuts it: eight products of 32 bits, a quotient.
+// Two planes meet in a line on the screen, and a row cuts it: eight products of 32 bits, a
+// quotient.
 inline constexpr Operations projected_edge{6, 8, 32, 1, 31, 0};
 inline constexpr Operations listed_crossing{1, 0, 0, 0, 0, 2};  // written, read, the counter
 inline constexpr Operations compare{1, 0, 0, 0, 0, 0};

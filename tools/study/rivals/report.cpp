@@ -82,11 +82,12 @@ void answer_cost(std::span<const Row> all, Report& report) {
     }
     const Row* map = finest(all, "depth map, patches");
     if (cheapest == nullptr || map == nullptr) return;
+    const auto million = [](const Row& row) { return rounded(row.number("shadow_cycles") / 1e6); };
     report.answer(fmt::format(
         "With {:.0f} facets the cheapest of them for a frame is {}: {} million cycles, where the "
         "depth map takes {} on the patches.{}",
         cheapest->number("facets"), cheapest->text("method"),
-        rounded(cheapest->number("shadow_cycles") / 1e6), rounded(map->number("shadow_cycles") / 1e6),
+        million(*cheapest), million(*map),
         std::isnan(map->number("false_shadow"))
             ? ""
             : fmt::format(" Of the smooth surfaces' pixels it gets {} wrong, and the depth map {}.",
