@@ -109,7 +109,8 @@ constexpr MethodStages<Depth> correct_stages{draw_correct_form<Depth>, count_cor
 
 // --- the AP-120B ---------------------------------------------------------------------------------
 
-inline void load_array(const hw::RationalMatrix& exact, const Settings& settings, LightMatrices& out) {
+inline void load_array(const hw::RationalMatrix& exact, const Settings& settings,
+                       LightMatrices& out) {
     out.array = array_matrix(exact, settings);
 }
 

@@ -25,7 +25,8 @@ inline constexpr std::array rival_rows{
              "facets' shadows are found while the picture is scanned out (first class)"},
     RivalRow{Form::appel, "appel", "the number of surfaces before the points of a scan line"},
     RivalRow{Form::splitting, "splitting", "facets are split by their casters (second class)"},
-    RivalRow{Form::irregular, "irregular", "the alias-free map: the visible points are its texels"}};
+    RivalRow{Form::irregular, "irregular",
+             "the alias-free map: the visible points are its texels"}};
 
 // Whether the scene can be had in rivals' words: it is held, and not too wide.
 FrameStatus check_rival(const Scene& scene, const Settings& settings);
