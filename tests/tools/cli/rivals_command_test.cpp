@@ -1,0 +1,69 @@
+// The rivals at the program's mouth: what render, plan, cycles and trace say of them.
+#include "tests/support/paths.hpp"
+#include "tests/support/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace umbra78::tools {
+namespace {
+
+using json = nlohmann::ordered_json;
+using test::Program;
+using test::Ran;
+
+const std::string rivals_scenes = UMBRA78_SOURCE_DIR "/tools/scenes/";
+const std::string rivals_small = " --set xy_bits=6 ";
+
+TEST_F(Program, RendersOfRivalsHaveOneMask) {
+    std::string mask;
+    for (const char* form :
+         {"brute", "volumes", "bouknight_kelley", "appel", "splitting", "irregular"}) {
+        const Ran ran = run("render " + rivals_scenes + "figures.toml" + rivals_small +
+                            "--set form=" + form + " --out a.png --json");
+        ASSERT_EQ(ran.exit_code, 0) << ran.err;
+        const json report = parse_json(ran.out);
+        const auto its = report.at("hashes").at("mask").get<std::string>();
+        if (mask.empty()) mask = its;
+        EXPECT_EQ(its, mask) << form;
+        EXPECT_FALSE(report.at("hashes").contains("light_z")) << form;
+        EXPECT_FALSE(report.contains("bias")) << form;
+        EXPECT_GT(report.at("machine").at("transformation").at("cycles"), 0) << form;
+        EXPECT_GT(report.at("machine").at("transformation").at("cycles_once"), 0) << form;
+    }
+}
+
+TEST_F(Program, PlanAndCyclesOfARival) {
+    const std::string scene = rivals_scenes + "figures.toml" + rivals_small + "--set form=volumes";
+    const Ran plan = run("plan " + scene);
+    EXPECT_EQ(plan.exit_code, 0) << plan.err;
+    EXPECT_NE(plan.out.find("the method asks polygons and keeps no depth map"), plan.out.npos);
+    const json report = parse_json(run("plan " + scene + " --json").out);
+    std::uint64_t saved = 0, cycles = 0;
+    for (const json& row : report.at("omissions"))
+        saved += row.at("saved_cycles").get<std::uint64_t>();
+    for (const json& stage : report.at("stages"))
+        cycles += stage.at("cycles").get<std::uint64_t>();
+    EXPECT_EQ(report.at("cycles_of_everything"), cycles + saved);
+    const Ran ran = run("cycles " + scene);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("Once for the scene and the light"), ran.out.npos) << ran.out;
+    const Ran trace = run("trace " + scene + " --pixel 20,20");
+    EXPECT_EQ(trace.exit_code, 1);
+    EXPECT_EQ(trace.err, "umbra78: a rival of the depth map looks nothing up; give --set "
+                         "form=post_process\n");
+}
+
+TEST_F(Program, ARivalRefusesInALine) {
+    const Ran sectors = run("render " + rivals_scenes + "sectors.toml --set form=volumes");
+    EXPECT_EQ(sectors.exit_code, 1);
+    EXPECT_NE(sectors.err.find("kind = \"point\""), sectors.err.npos) << sectors.err;
+    write("wide.toml", "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n[[sphere]]\ncentre = [30000, 0, "
+                       "0]\nradius = 1\n[observer]\nextent = 0.001\n[light]\nazimuth = 40\n");
+    const Ran wide = run("render wide.toml --set form=volumes");
+    EXPECT_EQ(wide.exit_code, 1);
+    EXPECT_NE(wide.err.find("raise observer.extent"), wide.err.npos) << wide.err;
+    EXPECT_EQ(files(), (std::vector<std::string>{"wide.toml"}));
+}
+
+}  // namespace
+}  // namespace umbra78::tools
