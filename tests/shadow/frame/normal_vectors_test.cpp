@@ -89,8 +89,9 @@ shadow::LightNormal word_of_light(Inputs& in, int k) {
 void add_turned(Inputs& in, Lines& lines) {
     for (int k = 0; k < 24; ++k) {
         raster::View view{};
-        view.axes = raster::axes_from_angles(static_cast<std::int32_t>(in.between(-180, 180)) << 16,
-                                             static_cast<std::int32_t>(in.between(-90, 90)) << 16);
+        const auto elevation = static_cast<std::int32_t>(in.between(-90, 90)) << 16;
+        const auto azimuth = static_cast<std::int32_t>(in.between(-180, 180)) << 16;
+        view.axes = raster::axes_from_angles(azimuth, elevation);
         Line line;
         line << "light";
         for (const raster::Axis& axis : {view.axes.right, view.axes.up, view.axes.back})

@@ -96,8 +96,10 @@ raster::View some_view(Inputs& in) {
     raster::View v;
     v.projection = in.between(0, 1) == 0 ? raster::Projection::orthographic
                                          : raster::Projection::perspective;
-    v.axes = raster::axes_from_angles(static_cast<std::int32_t>(in.word(25)),
-                                      static_cast<std::int32_t>(in.between(-90, 90) * 65536));
+    // One after the other: the order of a call's arguments is the compiler's.
+    const auto elevation = static_cast<std::int32_t>(in.between(-90, 90) * 65536);
+    const auto azimuth = static_cast<std::int32_t>(in.word(25));
+    v.axes = raster::axes_from_angles(azimuth, elevation);
     const auto coordinate = [&] { return static_cast<std::int32_t>(in.word(19)); };
     v.target = {coordinate(), coordinate(), coordinate()};
     v.extent = static_cast<std::int32_t>(in.between(1000, 1 << 20));

@@ -136,10 +136,13 @@ inline Polygons random_polygons(std::uint32_t seed) {
         return in(0, 3) == 0 ? point() : shared[n];
     };
     for (int n = in(1, 8); n > 0; --n) {
-        if (in(0, 7) == 0) {
-            p.box(vertex(), vertex());
+        // One after the other: the order of a call's arguments is the compiler's.
+        const bool is_box = in(0, 7) == 0;
+        const Point c = is_box ? Point{} : vertex(), b = vertex(), a = vertex();
+        if (is_box) {
+            p.box(a, b);
         } else {
-            p.triangle(vertex(), vertex(), vertex());
+            p.triangle(a, b, c);
         }
     }
     return p;

@@ -33,7 +33,8 @@ TEST_F(Program, RendersOfRivalsHaveOneMask) {
 }
 
 TEST_F(Program, PlanAndCyclesOfARival) {
-    const std::string scene = rivals_scenes + "figures.toml" + rivals_small + "--set form=volumes";
+    const std::string scene =
+        rivals_scenes + "figures.toml" + rivals_small + "--set form=volumes";
     const Ran plan = run("plan " + scene);
     EXPECT_EQ(plan.exit_code, 0) << plan.err;
     EXPECT_NE(plan.out.find("the method asks polygons and keeps no depth map"), plan.out.npos);
@@ -57,8 +58,9 @@ TEST_F(Program, ARivalRefusesInALine) {
     const Ran sectors = run("render " + rivals_scenes + "sectors.toml --set form=volumes");
     EXPECT_EQ(sectors.exit_code, 1);
     EXPECT_NE(sectors.err.find("kind = \"point\""), sectors.err.npos) << sectors.err;
-    write("wide.toml", "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n[[sphere]]\ncentre = [30000, 0, "
-                       "0]\nradius = 1\n[observer]\nextent = 0.001\n[light]\nazimuth = 40\n");
+    write("wide.toml", "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"
+                       "[[sphere]]\ncentre = [30000, 0, 0]\nradius = 1\n"
+                       "[observer]\nextent = 0.001\n[light]\nazimuth = 40\n");
     const Ran wide = run("render wide.toml --set form=volumes");
     EXPECT_EQ(wide.exit_code, 1);
     EXPECT_NE(wide.err.find("raise observer.extent"), wide.err.npos) << wide.err;
