@@ -113,6 +113,17 @@ std::string words_of_coverage(std::span<const Row> rows) {
                        lacking, rows.size(), static_cast<std::int64_t>(most), worst->text("case"));
 }
 
+std::vector<std::uint8_t> error_picture(const SceneTruth& s, const MachineMask& mask) {
+    const Truth& t = s.truth;
+    std::vector<std::uint8_t> gray(t.visible.size(), 235);
+    for (std::size_t at = 0; at < gray.size(); ++at) {
+        if (!t.visible[at] || !mask.drawn(at) || s.unlit_side[at]) continue;
+        if (t.lit[at]) gray[at] = mask.in_shadow(at) ? 0 : 200;
+        else gray[at] = mask.in_shadow(at) ? 110 : 255;
+    }
+    return gray;
+}
+
 LightUnits light_units(const LoadedScene& scene) {
     const auto real = [](const hw::Rational& exact) {
         std::int64_t q32 = 0;

@@ -50,6 +50,9 @@ inline constexpr ColumnMeaning rate_columns[] = {
     {"isolated_pixels", "drawn pixels none of whose four neighbours has the same answer"},
 };
 
+// Lit 200, in shadow 110, false shadow black, false light white; 235 where nothing is compared.
+std::vector<std::uint8_t> error_picture(const SceneTruth&, const MachineMask&);
+
 // How many quanta of the light's Z and how many of its texels a world unit is, at its target.
 struct LightUnits {
     double quanta_per_world, texels_per_world;

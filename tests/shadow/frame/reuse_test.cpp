@@ -150,6 +150,8 @@ TEST(Reuse, EachSettingInTurnOfARival) {
     expected["dice_levels"] = "LDO";
     PlannedScene planned = test::planned_scene("figure 6");
     planned.settings.form = Form::volumes;
+    planned.settings.dice_levels = 2;
+    planned.settings.machine.xy_bits = 6;
     change_each_setting(planned, expected);
 }
 

@@ -40,9 +40,6 @@ struct TexelSides {
 };
 TexelSides texel_sides(const SceneTruth&);
 
-// Lit 200, in shadow 110, false shadow black, false light white; 235 where nothing is compared.
-std::vector<std::uint8_t> error_picture(const SceneTruth&, const MachineMask&);
-
 // The scene of a case; without a ground of the study's it is the request's.
 LoadedScene lights_scene(const Request&, const Case&);
 

@@ -96,15 +96,4 @@ TexelSides texel_sides(const SceneTruth& s) {
     return {at_share(0.5), at_share(0.95)};
 }
 
-std::vector<std::uint8_t> error_picture(const SceneTruth& s, const MachineMask& mask) {
-    const Truth& t = s.truth;
-    std::vector<std::uint8_t> gray(t.visible.size(), 235);
-    for (std::size_t at = 0; at < gray.size(); ++at) {
-        if (!t.visible[at] || !mask.drawn(at) || s.unlit_side[at]) continue;
-        if (t.lit[at]) gray[at] = mask.in_shadow(at) ? 0 : 200;
-        else gray[at] = mask.in_shadow(at) ? 110 : 255;
-    }
-    return gray;
-}
-
 }  // namespace umbra78::tools::study

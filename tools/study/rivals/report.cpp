@@ -170,7 +170,7 @@ void picture(const Request& request, std::span<const Row> all, Report& report) {
         RenderJob job(scene.view(), scene.settings);
         draw_mask(job);
         const std::vector<std::uint8_t> visible = job.visible();
-        panels.push_back(wrong_picture(*truth, {job.bytes(Plane::mask), visible}));
+        panels.push_back(error_picture(*truth, {job.bytes(Plane::mask), visible}));
         size = truth->truth.size;
         names += (names.empty() ? "" : "; ") + std::string(method);
     }

@@ -71,14 +71,15 @@ std::vector<Case> Rivals::cases(const Request& request) const {
         }
     };
     using Values = std::vector<std::string>;
-    const Values levels = request.quick ? Values{"1", "2", "3"} : Values{"1", "2", "3", "4"};
-    const Values bits = request.quick ? Values{"6", "7"} : Values{"7", "8", "9", "10"};
+    const Values levels = request.quick ? Values{"1", "2"} : Values{"1", "2", "3", "4"};
+    const Values bits = request.quick ? Values{"5", "6"} : Values{"7", "8", "9", "10"};
+    const Values level = request.quick ? Values{"2"} : Values{"3"};
     for (const Drawn& d : methods_drawn()) {
         const bool patches = std::string_view(d.surface) == "catmull";
-        std::vector<GridKey> axes{{"dice_levels", patches ? Values{"3"} : levels}};
-        if (request.quick) axes.push_back({"xy_bits", {"7"}});
+        std::vector<GridKey> axes{{"dice_levels", patches ? level : levels}};
+        if (request.quick) axes.push_back({"xy_bits", {"6"}});
         add(by_dicing, d, axes);
-        add(by_resolution, d, {{"xy_bits", bits}, {"dice_levels", {"3"}}});
+        add(by_resolution, d, {{"xy_bits", bits}, {"dice_levels", level}});
     }
     return all;
 }
@@ -191,17 +192,6 @@ PowerLaw power_law(std::span<const std::pair<double, double>> points) {
     law.exponent = (n * xy - x * y) / spread;
     law.factor = std::exp((y - law.exponent * x) / n);
     return law;
-}
-
-std::vector<std::uint8_t> wrong_picture(const SceneTruth& s, const MachineMask& mask) {
-    const Truth& t = s.truth;
-    std::vector<std::uint8_t> gray(t.visible.size(), 235);
-    for (std::size_t at = 0; at < gray.size(); ++at) {
-        if (!t.visible[at] || !mask.drawn(at) || s.unlit_side[at]) continue;
-        if (t.lit[at]) gray[at] = mask.in_shadow(at) ? 0 : 200;
-        else gray[at] = mask.in_shadow(at) ? 110 : 255;
-    }
-    return gray;
 }
 
 std::unique_ptr<Study> make_rivals_study() { return std::make_unique<Rivals>(); }

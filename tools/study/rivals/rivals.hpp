@@ -24,7 +24,4 @@ struct PowerLaw {
 };
 PowerLaw power_law(std::span<const std::pair<double, double>> points);
 
-// Lit 200, in shadow 110, false shadow black, false light white; 235 where nothing is compared.
-std::vector<std::uint8_t> wrong_picture(const SceneTruth&, const MachineMask&);
-
 }  // namespace umbra78::tools::study
