@@ -46,6 +46,14 @@ bool prepare(const FrameInputs& in, std::size_t l, const Pieces& p, rivals::Sett
            rivals::make_setting(space, mesh, light, p.setting, out);
 }
 
+RivalView view_of(const FrameInputs& in, std::size_t l, const Pieces& pieces) {
+    rivals::Setting setting;
+    fixed::require(prepare(in, l, pieces, setting), "a rival's scene was not checked");
+    rivals::VisibleCounts visible;
+    rivals::find_visible(setting, pieces.shown, visible);
+    return {setting, pieces.shown};
+}
+
 }  // namespace
 
 FrameStatus check_rival(const Scene& scene, const Settings& settings) {
@@ -65,6 +73,14 @@ std::size_t rival_bytes(const FrameInputs& in) {
     return carver.used();
 }
 
+RivalView rival_view(const FrameInputs& in, std::size_t l, std::span<std::byte> memory) {
+    Carver carver(memory);
+    const Pieces pieces = lay_out(carver, size_of(in),
+                                  std::size_t{1} << (2 * in.settings.machine.xy_bits));
+    fixed::require(carver.fits(), "memory of fewer than rival_bytes()");
+    return view_of(in, l, pieces);
+}
+
 template <class Depth>
 void cast_rival(const FrameInputs& in, const FramePlan&, std::size_t l,
                 FrameBuffers<Depth>& frame, FrameCounts& counts) {
@@ -72,13 +88,10 @@ void cast_rival(const FrameInputs& in, const FramePlan&, std::size_t l,
     LightCounts& counted = counts.lights[l];
     Carver carver(frame.method_memory);
     const Pieces pieces = lay_out(carver, size_of(in), mask.size());
-    rivals::Setting setting;
     rivals::Work work;
     if (carver.fits()) {
-        fixed::require(prepare(in, l, pieces, setting), "a rival's scene was not checked");
-        rivals::VisibleCounts visible;
-        rivals::find_visible(setting, pieces.shown, visible);
-        work = cast_by(in.settings.form, setting, pieces.shown, carver, mask);
+        const RivalView view = view_of(in, l, pieces);
+        work = cast_by(in.settings.form, view.setting, view.shown, carver, mask);
     }
     counted.capacity = {carver.fits(), carver.used()};
     counted.method_once = work.once;

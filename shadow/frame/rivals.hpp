@@ -8,6 +8,7 @@
 #pragma once
 
 #include "shadow/frame/methods.hpp"
+#include "shadow/rivals/visible.hpp"
 
 #include <array>
 #include <string_view>
@@ -30,6 +31,14 @@ inline constexpr std::array rival_rows{
 
 // Whether the scene can be had in rivals' words: it is held, and not too wide.
 FrameStatus check_rival(const Scene& scene, const Settings& settings);
+
+// The scene's polygons as a rival has them for light l, and what each pixel shows of them. `memory`
+// is of at least rival_bytes(), aligned to frame_alignment, and both refer to it.
+struct RivalView {
+    rivals::Setting setting{};
+    std::span<const std::uint32_t> shown{};
+};
+RivalView rival_view(const FrameInputs&, std::size_t light, std::span<std::byte> memory);
 
 // Of method_memory: what every rival needs, and what this one does where that is known before.
 std::size_t rival_bytes(const FrameInputs&);

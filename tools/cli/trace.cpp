@@ -5,6 +5,7 @@
 #include "tools/scene/scene_file.hpp"
 #include "tools/scene/settings_text.hpp"
 #include "tools/watch/pixel_trace.hpp"
+#include "tools/watch/rival_trace.hpp"
 #include "tools/watch/vcd.hpp"
 #include "tools/watch/waterfall.hpp"
 
@@ -41,10 +42,26 @@ std::string check_pixel(const std::string& text) {
     return fmt::format("'{}' is not a pixel; write x,y as in 80,180", text);
 }
 
+void run_rival(const Options& options, const RenderJob& job) {
+    if (!options.vcd.empty() || options.waterfall)
+        throw SceneError(std::string(shadow::method_of(job.inputs()).no_trace));
+    const RivalTrace trace = trace_rival(job, *parse_pixel(options.pixel));
+    if (options.json) {
+        nlohmann::ordered_json json{{"scene", options.scene}};
+        json.update(to_json(trace));
+        json["settings"] = settings_json(job.settings());
+        fmt::print("{}", print(json));
+        return;
+    }
+    fmt::print("{}: pixel ({}, {}): {}\n\n{}", options.scene, trace.pixel.x, trace.pixel.y,
+               trace.state, print(trace));
+}
+
 void run(const Options& options) {
     const LoadedScene scene = load_scene(options.scene, options.set);
     require_one_light(scene, "umbra78 trace");
     RenderJob job(scene.view(), scene.settings);
+    if (shadow::is_rival(scene.settings.form)) return run_rival(options, job);
     job.render();
     const PixelTrace trace = trace_pixel(job, *parse_pixel(options.pixel));
     if (!options.vcd.empty()) {
@@ -90,6 +107,9 @@ void add_trace_command(CLI::App& app, int&) {
         "Also print which stage this pixel and the next five are in, cycle by cycle");
     command.json(options->json).excludes(waterfall);
     command.footer("Settings are those of umbra78 render --help.\n"
+                   "\nOf a rival of the depth map (--set form=volumes) it prints the facet that is "
+                   "seen, those\nbefore it, and the sides of shadow volumes between it and the "
+                   "eye.\n"
                    "\nExample:\n  umbra78 trace tools/scenes/figures.toml --pixel 80,180 "
                    "--set lookup=nearest --set dither=none --set bias=64");
     command.runs([options] { run(*options); });

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace umbra78::tools {
 namespace {
 
@@ -48,10 +50,33 @@ TEST_F(Program, PlanAndCyclesOfARival) {
     const Ran ran = run("cycles " + scene);
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_NE(ran.out.find("Once for the scene and the light"), ran.out.npos) << ran.out;
-    const Ran trace = run("trace " + scene + " --pixel 20,20");
+    const Ran trace = run("trace " + scene + " --pixel 20,20 --waterfall");
     EXPECT_EQ(trace.exit_code, 1);
     EXPECT_EQ(trace.err, "umbra78: a rival of the depth map looks nothing up; give --set "
                          "form=post_process\n");
+}
+
+// What is told of a pixel is what its mask says, and the sides add up to the facets.
+TEST_F(Program, TraceOfARivalSaysWhatDecided) {
+    const std::string scene = rivals_scenes + "figures.toml" + rivals_small + "--set form=volumes";
+    std::set<std::string> states;
+    for (const char* pixel : {"0,0", "7,22", "50,40", "39,13", "38,16", "44,13", "40,40"}) {
+        const Ran ran = run("trace " + scene + " --pixel " + pixel + " --json");
+        ASSERT_EQ(ran.exit_code, 0) << ran.err;
+        const json trace = parse_json(ran.out);
+        states.insert(trace.at("state").get<std::string>());
+        if (!trace.contains("casters")) continue;
+        std::int64_t sum = trace.at("volumes_at_eye").get<std::int64_t>();
+        EXPECT_EQ(sum, 0) << "an eye at infinity is in no volume";
+        for (const json& side : trace.at("sides_crossed"))
+            sum += side.at("change").get<std::int64_t>();
+        EXPECT_EQ(sum, static_cast<std::int64_t>(trace.at("casters").size())) << pixel;
+    }
+    EXPECT_EQ(states, (std::set<std::string>{"nothing seen", "lit", "attached shadow",
+                                             "cast shadow"}));
+    const Ran outside = run("trace " + scene + " --pixel 64,0");
+    EXPECT_EQ(outside.exit_code, 1);
+    EXPECT_EQ(outside.err, "umbra78: pixel 64,0 lies outside the picture, 0..63\n");
 }
 
 TEST_F(Program, ARivalRefusesInALine) {
