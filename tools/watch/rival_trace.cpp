@@ -58,7 +58,7 @@ RivalTrace trace_rival(const RenderJob& job, Pixel at) {
     trace.facet = view.shown[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(size) +
                              static_cast<std::size_t>(at.x)];
     if (trace.facet == rivals::nothing_seen) return trace;
-    if (s.attached(trace.facet)) {  // nothing else is asked, and the facet's own volume begins here
+    if (s.attached(trace.facet)) {  // its own volume begins here, and no more is asked
         trace.state = "attached shadow";
         return trace;
     }
@@ -79,8 +79,8 @@ std::string print(const RivalTrace& t) {
         return text + "the light is not on the side of it that is seen\n";
     text += fmt::format("{} facets lie between its point and the light\n", t.casters.size());
     for (const std::uint32_t f : t.casters) text += fmt::format("  facet {}\n", f);
-    text += fmt::format("the eye is in {} shadow volumes; {} of the {} sides are crossed on the way "
-                        "to the point\n", t.at_eye, t.sides.size(), t.contour);
+    text += fmt::format("the eye is in {} shadow volumes; {} of the {} sides are crossed on the "
+                        "way to the point\n", t.at_eye, t.sides.size(), t.contour);
     for (const RivalTrace::Side& side : t.sides)
         text += fmt::format("  the side at vertices {} and {}: {:+}\n", side.low, side.high,
                             side.change);

@@ -1,5 +1,5 @@
-// What decided a pixel of a rival: the facet that it shows, and, where the light is on the side that
-// is seen, the facets before it and the sides of shadow volumes between it and the eye.
+// What decided a pixel of a rival: the facet that it shows, and, where the light is on the side
+// that is seen, the facets before it and the sides of shadow volumes between it and the eye.
 #pragma once
 
 #include "tools/render/render_job.hpp"
