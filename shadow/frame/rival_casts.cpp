@@ -148,7 +148,7 @@ Work by_splitting(SettingOf s, Shown shown, Carver& carver, Mask mask) {
     const auto shown_lines = carver.take<ShownLine>(store.longest());
     if (!carver.fits()) return {};
     mask_of_pieces(lines, store, shown, shown_lines, mask, mask_counts);
-    return work_of(counts, mask_counts, s.mesh, mask.size());
+    return work_of(counts, mask_counts, store.pieces().size(), s.mesh, mask.size());
 }
 
 }  // namespace

@@ -55,9 +55,11 @@ inline constexpr Operations masked_pixel{0, 0, 0, 0, 0, 2};   // the count read,
 
 }  // namespace cost
 
-// Once for a scene and a light; and for each frame of an observer.
+// Once for a scene and a light; and for each frame of an observer. And what the method adds to the
+// scene's entries: sides of volumes, links, borders, pieces or samples that it makes and keeps.
 struct Work {
     hw::Operations once{}, frame{};
+    std::uint64_t entries = 0;
 };
 
 // `pixels` of the frame, of which each has its mask written.
@@ -71,7 +73,8 @@ inline Work work_of(const VolumeCounts& c, std::uint64_t pixels) {
     return {c.facets * cost::facet_side + c.edges * cost::edge_multiplicity,
             pixels * cost::masked_pixel + c.start_tests * cost::asked_facet +
                 c.sides * cost::side_setup + c.rows * cost::side_row +
-                c.fills * cost::side_pixel + c.updates * cost::count_update};
+                c.fills * cost::side_pixel + c.updates * cost::count_update,
+            c.contour};
 }
 
 // The links are made anew for each observer, since they are of what is seen.
@@ -86,7 +89,8 @@ inline Work work_of(const LinkCounts& links, const ScanOutCounts& c, const Mesh&
             link_operations(links, mesh.facets.size()) + pixels * cost::written_pixel +
                 (c.edges + c.planes) * cost::projected_edge +
                 c.crossings * cost::listed_crossing + c.compares * cost::compare +
-                c.start_facets * cost::asked_facet};
+                c.start_facets * cost::asked_facet,
+            links.links};
 }
 
 inline Work work_of(const LinkCounts& links, const BorderCounts& borders, const AppelCounts& c,
@@ -96,7 +100,8 @@ inline Work work_of(const LinkCounts& links, const BorderCounts& borders, const 
             link_operations(links, mesh.facets.size()) + borders.signs * cost::plane_side +
                 borders.box_tests * cost::box_test + pixels * cost::written_pixel +
                 c.seed_facets * cost::asked_facet + c.borders * cost::projected_edge +
-                c.crossings * cost::listed_crossing + c.compares * cost::compare};
+                c.crossings * cost::listed_crossing + c.compares * cost::compare,
+            links.links + borders.edges + borders.facets};
 }
 
 inline Work work_of(const IrregularCounts& c, const Mesh& mesh, std::uint64_t pixels) {
@@ -104,7 +109,8 @@ inline Work work_of(const IrregularCounts& c, const Mesh& mesh, std::uint64_t pi
                 mesh.edges.size() * cost::plane,
             pixels * cost::written_pixel + c.samples * cost::placed_sample +
                 c.facet_texels * cost::scanned_texel + c.visits * cost::box_test +
-                c.facets_asked * cost::asked_facet};
+                c.facets_asked * cost::asked_facet,
+            c.samples};
 }
 
 // The pieces of all facets serve every observer.
@@ -114,11 +120,11 @@ inline hw::Operations piece_operations(const CasterCounts& casters, const CutCou
            cuts.cuts * cost::cut_piece;
 }
 
-inline Work work_of(const SplitCounts& c, const MaskCounts& mask, const Mesh& mesh,
-                    std::uint64_t pixels) {
+inline Work work_of(const SplitCounts& c, const MaskCounts& mask, std::uint64_t pieces,
+                    const Mesh& mesh, std::uint64_t pixels) {
     return {mesh.facets.size() * (cost::facet_side + cost::picture_facet) +
                 mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts),
-            pixels * cost::written_pixel + mask.rows * cost::piece_row};
+            pixels * cost::written_pixel + mask.rows * cost::piece_row, pieces};
 }
 
 }  // namespace umbra78::shadow::rivals
