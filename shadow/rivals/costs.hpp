@@ -44,6 +44,10 @@ inline constexpr Operations compare{1, 0, 0, 0, 0, 0};
 inline constexpr Operations written_pixel{0, 0, 0, 0, 0, 1};
 // A visible point in the light's picture, and into its texel's list.
 inline constexpr Operations placed_sample = picture_place + Operations{2, 0, 0, 0, 0, 3};
+// A visible point through the machine's own transform unit, and its code compared; in perspective
+// with three quotients.
+inline constexpr Operations moved_point{10, 9, 9, 0, 0, 3};
+inline constexpr Operations divided_point{13, 12, 12, 3, 3 * 31, 3};
 inline constexpr Operations scanned_texel{1, 0, 0, 0, 0, 1};
 // The sign of three lines: a determinant of 3 x 3, of 32-bit words; with a meeting line, of 64.
 inline constexpr Operations line_sign{5, 9, 36, 0, 0, 0};

@@ -19,10 +19,11 @@ struct Drawn {
     std::string_view method, form, surface;
 };
 
-// The depth map on patches and on the rivals' facets, then the rivals of the table of methods.
+// The depth map on patches, on the rivals' facets and at the visible points; then the rivals of the table of methods.
 std::vector<Drawn> methods_drawn() {
     std::vector<Drawn> all{{map_on_patches, "post_process", "catmull"},
-                           {map_on_facets, "post_process", "diced"}};
+                           {map_on_facets, "post_process", "diced"},
+                           {map_at_points, "irregular_map", "catmull"}};
     for (const shadow::Method& m : shadow::methods())
         if (shadow::is_rival(m.form)) all.push_back({m.name, m.name, "diced"});
     return all;
@@ -73,7 +74,7 @@ void ask_of_scene(const Request& request, std::vector<Case>& all) {
     const Values level = request.quick ? Values{"2"} : Values{"3"};
     Cases cases(request);
     for (const Drawn& d : methods_drawn()) {
-        const bool patches = d.method == map_on_patches;
+        const bool patches = d.surface == "catmull";
         cases.add(question::dicing, d,
                   at_size(request, {{"dice_levels", patches ? level : levels}}), {});
         cases.add(question::resolution, d, {{"xy_bits", bits}, {"dice_levels", level}}, {});

@@ -56,7 +56,7 @@ void plots(std::span<const Row> all, Report& report) {
                "wrong pixels (%)", true, true, {}};
     for (const std::string& method : methods_in(all)) {
         const Rows rows = rows_of(all, question::dicing, method);
-        const bool patches = method == map_on_patches;
+        const bool patches = method == map_on_patches || method == map_at_points;
         cost.series.push_back({method, points_of(rows, "facets", "shadow_cycles", 1e-6), !patches,
                                {}});
         Points errors;
@@ -67,7 +67,7 @@ void plots(std::span<const Row> all, Report& report) {
         if (!errors.empty()) error.series.push_back({method, errors, !patches, {}});
     }
     report.plot(cost, "What a frame's shadow takes the machine, as patches are diced more finely. "
-                      "The depth map on patches does not read facets and stands alone.");
+                      "The depth map on patches does not read facets: it is one point.");
     if (!error.series.empty())
         report.plot(error, "Pixels that differ from the smooth surfaces' truth against what the "
                            "shadow takes: below and to the left is better. Each line goes from "
@@ -100,8 +100,10 @@ void table_of_limits(std::span<const Row> all, Report& report) {
     TableCells table{{"method", "how", "what it cannot do"}};
     for (const std::string& name : methods_in(all))
         for (const shadow::Method& m : shadow::methods()) {
-            const bool map = name.starts_with("depth map") && m.name == "post_process";
-            if (map || m.name == name)
+            const std::string_view of = name == map_at_points           ? "irregular_map"
+                                        : name.starts_with("depth map") ? "post_process"
+                                                                        : std::string_view(name);
+            if (m.name == of)
                 table.push_back({name, std::string(m.meaning), std::string(m.cannot)});
         }
     report.table(table, "As the table of methods (shadow/frame/methods.cpp) has them.");

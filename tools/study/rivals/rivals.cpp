@@ -40,8 +40,8 @@ private:
 
 Row Rivals::run(const Request&, const Case& c, const LoadedScene* scene) const {
     if (!extra_of(c, "cells").empty()) return scan_out_row(*scene, c);
-    if (scene->view().light_count > 1) return frame_row(*scene, nullptr);  // the rates are of one light
-    return frame_row(*scene, truths_.of(*scene).get());
+    const bool one_light = scene->view().light_count == 1;  // which the rates of error are of
+    return frame_row(*scene, one_light ? truths_.of(*scene).get() : nullptr);
 }
 
 std::vector<ColumnMeaning> Rivals::columns() const {

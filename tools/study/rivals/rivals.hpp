@@ -20,9 +20,11 @@ inline constexpr std::string_view dicing = "dicing", resolution = "resolution",
                                   sectors = "sectors", edges = "edges", layers = "layers";
 }
 
-// The depth map as a method of the table: drawn from patches, as the paper's, or from facets.
+// The depth map as a method of the table: drawn from patches, as the paper's, or from facets; or
+// from patches at the visible points themselves (form irregular_map).
 inline constexpr std::string_view map_on_patches = "depth map, patches",
-                                  map_on_facets = "depth map, facets";
+                                  map_on_facets = "depth map, facets",
+                                  map_at_points = "depth map, at its points";
 
 std::vector<Case> rivals_cases(const Request&);
 // What distinguishes a case: "question", "method", "at", and what scan-out does.

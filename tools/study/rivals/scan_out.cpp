@@ -1,5 +1,5 @@
-// A look into the first class: what the links and the second scan of Bouknight & Kelley take, by the
-// size of the sectors and by which edges are projected.
+// A look into the first class: what the links and the second scan of Bouknight & Kelley take, by
+// the size of the sectors and by which edges are projected.
 #include "shadow/frame/rivals.hpp"
 #include "shadow/rivals/costs.hpp"
 #include "tools/render/aligned_room.hpp"
