@@ -43,6 +43,7 @@ public:
 
     // Seen edge-on it hides nothing and is never crossed.
     bool is_seen() const { return eye_side_ != 0; }
+    const SeenPlane& plane() const { return plane_; }
     // The columns of a row that it covers.
     Run covered_run(const Space& space, int row) const;
     // What crossing it adds, to points of a facet's plane at which `crossed` has crossed_sign().
@@ -68,6 +69,11 @@ struct VolumeCounts {
     std::uint64_t updates = 0;            // of the counter
     std::uint64_t start_tests = 0;        // of facets, for the count at the eye
 };
+
+// Writes in how many volumes the eye is, as each pixel's ray leaves it; 0 where nothing is seen.
+// Returns how many facets were asked.
+std::uint64_t count_at_eye(const Setting& setting, std::span<const std::uint32_t> shown,
+                           std::span<std::int32_t> surfaces);
 
 // `surfaces`: how many lie between each pixel's point and the light; 0 where nothing is seen. Has
 // space.pixels() numbers. A pixel is dark if the number is not 0 or its facet is attached.

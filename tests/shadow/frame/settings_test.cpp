@@ -240,6 +240,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     for (const auto& [name, form] :
          {std::pair{"post_process", post_process}, {"correct", correct}, {"ground", ground},
           {"blob", blob}, {"brute", brute}, {"volumes", volumes}, {"appel", appel},
+          {"ordered_volumes", ordered_volumes}, {"stencil_pass", stencil_pass},
+          {"stencil_fail", stencil_fail},
           {"bouknight_kelley", bouknight_kelley}, {"splitting", splitting},
           {"irregular", irregular}})
         all.push_back(named("form", name, form));
