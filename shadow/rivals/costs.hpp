@@ -88,7 +88,8 @@ inline Work work_of(const OrderedCounts& c, std::uint64_t pixels) {
     return {c.facets * cost::facet_side + c.edges * cost::edge_multiplicity,
             pixels * cost::masked_pixel + c.start_tests * cost::asked_facet +
                 drawn_volumes(c.sides, c.rows, 0, 0) + c.sorts * cost::compare +
-                c.inserts * cost::listed_crossing + (c.compares + c.asked) * cost::depth_order +
+                c.inserts * cost::listed_crossing +
+                (c.compares + c.asked + c.foreseen) * cost::depth_order +
                 c.crossings * cost::projected_edge};
 }
 

@@ -182,8 +182,11 @@ private:
     }
     int next_run() const { return next_ < runs_.size() ? runs_[next_].run.from : never; }
     int crossing(const ScreenLine& line, const Run& run) {
-        ++counts_.crossings;
-        return crossing_in(RowLine(line, setting_.space, row_), run, setting_.space, row_).column;
+        const RowLine in_row(line, setting_.space, row_);
+        const int column = crossing_in(in_row, run, setting_.space, row_).column;
+        ++counts_.foreseen;
+        counts_.crossings += column < run.to ? 1 : 0;
+        return column;
     }
 
     // Walks from the place that it had to the one it has: those before it lie together.

@@ -33,7 +33,8 @@ struct OrderedCounts {
     std::uint64_t compares = 0;           // of two sides at a pixel
     std::uint64_t swaps = 0;              // of two that were in order before
     std::uint64_t asked = 0;              // of a side and the visible surface at a pixel
-    std::uint64_t crossings = 0;          // of planes in a line of pixels, computed
+    std::uint64_t foreseen = 0;           // of neighbours, at the last pixel that both may have
+    std::uint64_t crossings = 0;          // of them, where they change places before it
     std::uint64_t stretches = 0;          // of pixels with one answer
     std::uint64_t pixels = 0;             // that show something
     std::uint64_t longest = 0;            // the list
