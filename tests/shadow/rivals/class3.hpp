@@ -3,7 +3,7 @@
 
 #include "shadow/rivals/ordered_volumes.hpp"
 #include "shadow/rivals/stencil.hpp"
-#include "tests/shadow/rivals/scenes.hpp"
+#include "tests/shadow/rivals/figures_scene.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -55,6 +55,14 @@ inline DepthScale scale_of(const Setting& s, int bits = 16) {
     }
     if (distance != 0) near = std::max<std::int64_t>(near, 1);
     return {near, std::max(far, near + 1), 1, 1, bits};
+}
+
+// The machine's of the figures' scene: its cube, as deep as the frame is wide.
+inline DepthScale figures_scale(const FiguresScene& scene, int bits = 16) {
+    constexpr std::int64_t reach = paper_scene::extent_q16;
+    const Space& space = scene.setting().space;
+    return {-reach, reach, reach, std::int64_t{1} << (space.xy_bits() - 1 + space.fraction()),
+            bits};
 }
 
 inline constexpr StencilOptions z_pass{StencilPass::z_pass}, z_fail{StencilPass::z_fail};

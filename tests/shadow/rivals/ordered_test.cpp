@@ -1,7 +1,6 @@
 // Crow's sides in the order of depth: brute force's mask and volumes' numbers, whatever the order
 // does; and what the order takes.
 #include "tests/shadow/rivals/class3.hpp"
-#include "tests/shadow/rivals/figures_scene.hpp"
 #include "tests/shadow/rivals/named_scenes.hpp"
 
 #include <gtest/gtest.h>

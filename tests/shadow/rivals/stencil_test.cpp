@@ -1,7 +1,6 @@
 // Volumes counted in a frame store: z-pass and z-fail have one number in every pixel, and where it
 // is not that of the polygons the codes are to blame.
 #include "tests/shadow/rivals/class3.hpp"
-#include "tests/shadow/rivals/figures_scene.hpp"
 #include "tests/shadow/rivals/named_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -57,10 +56,7 @@ TEST(Stencil, TheFiguresShadowAndTheWidthOfItsCodes) {
     const Setting& s = scene.setting();
     const std::vector<std::uint8_t> right = scene.brute_mask();
     for (const auto& [bits, wrong] : {std::pair{16, 0u}, {12, 6u}, {10, 33u}, {8, 150u}}) {
-        // The machine's cube, as deep as the frame is wide.
-        constexpr std::int64_t reach = paper_scene::extent_q16;
-        const DepthScale scale{-reach, reach, reach,
-                               std::int64_t{1} << (8 + s.space.fraction()), bits};
+        const DepthScale scale = figures_scale(scene, bits);
         const Stenciled pass(s, scene.shown(), scale, z_pass);
         const Stenciled fail(s, scene.shown(), scale, z_fail);
         EXPECT_EQ(pass.numbers, fail.numbers) << bits;
