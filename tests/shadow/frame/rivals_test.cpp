@@ -6,6 +6,7 @@
 #include "shadow/rivals/depth_code.hpp"
 #include "tests/shadow/frame/equal_frames.hpp"
 #include "tests/shadow/frame/planned_scenes.hpp"
+#include "tests/shadow/frame/variant_scenes.hpp"
 #include "tests/shadow/rivals/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -136,6 +137,46 @@ TEST(RivalForms, SayHowMuchTheyNeed) {
         EXPECT_LT(turns, 9);
         const auto mask = f.frame.buffers.lights[0].mask;
         EXPECT_EQ(std::vector<std::uint8_t>(mask.begin(), mask.end()), mask_of(planned));
+    }
+}
+
+// A light with an area is many lights, whose masks have a mean (Brotman & Badler 1984), whatever
+// makes the masks.
+TEST(RivalForms, AnAreasDarknessIsTheMeanOfItsMasks) {
+    const test::VariantScene made("floor");
+    const Scene area = made.scene("oblique", "panel");
+    const auto n = static_cast<int>(area.light_count);
+    ASSERT_EQ(n, 4);
+    for (const Form form : {Form::volumes, Form::ordered_volumes, Form::stencil_fail}) {
+        Settings s = figure_settings(6);
+        s.machine.xy_bits = 6;
+        s.form = form;
+        s.dice_levels = 2;
+        const test::Memory room(std::size_t{1} << 24);
+        const auto drawn = [&](const Scene& scene) {
+            test::Frame<> frame(s.machine, scene.patches.size(), FrameShape(scene, s));
+            frame.buffers.method_memory = room.span();
+            EXPECT_EQ(frame.draw(scene, s), FrameStatus::ok);
+            EXPECT_TRUE(frame.counts.lights[0].capacity.enough);
+            return frame;
+        };
+        const auto all = drawn(area);
+        std::vector<int> sums(all.buffers.pixels());
+        for (std::size_t l = 0; l < area.light_count; ++l) {
+            Scene one = area;
+            one.light_count = one.sources[0].lights = 1;
+            one.lights[0] = area.lights[l];
+            const auto alone = drawn(one);
+            for (std::size_t at = 0; at < sums.size(); ++at)
+                sums[at] += alone.buffers.lights[0].mask[at];
+        }
+        int grey = 0;
+        for (std::size_t at = 0; at < sums.size(); ++at) {
+            const int mean = (2 * sums[at] + n) / (2 * n);
+            ASSERT_EQ(all.buffers.lights[0].joined[at], mean) << at;
+            grey += mean > 0 && mean < 255 ? 1 : 0;
+        }
+        EXPECT_GT(grey, 20);
     }
 }
 
