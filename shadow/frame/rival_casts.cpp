@@ -40,8 +40,8 @@ Work by_brute(SettingOf s, Shown shown, Carver& carver, Mask mask) {
     return work_of(counts, s.mesh, mask.size());
 }
 
-// Class 3: count(contour, surfaces) writes a number a pixel, which is 0 where it is lit, and returns
-// what it took; false if its memory is too small.
+// Class 3: count(contour, surfaces, work) writes a number a pixel, which is 0 where it is lit, and
+// what it took. False if its memory is too small.
 template <class Count>
 Work by_counts(SettingOf s, Shown shown, Carver& carver, Mask mask, Count&& count) {
     const auto contour = carver.take<ContourEdge>(find_contour(s, {}));

@@ -3,12 +3,12 @@
 #include "shadow/rivals/row.hpp"
 
 #include <algorithm>
-#include <climits>
+#include <cstdint>
 
 namespace umbra78::shadow::rivals {
 namespace {
 
-constexpr int never = INT_MAX, unknown = -1;
+constexpr int never = INT32_MAX, unknown = -1;
 
 // A side in one line of pixels.
 struct SideRun {

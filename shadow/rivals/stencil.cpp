@@ -13,8 +13,8 @@ ScreenLine line_at_end(const SeenPlane& plane, const Centre& eye) {
     return plane.e.is_zero() ? line_of(plane) : ScreenLine{0, 0, -plane.e};
 }
 
-// A side where the rays come to its plane. Beyond, the lines that bound it have their signs, too, if
-// the light is at a place: the rays of the light part.
+// A side, where the eye's rays come to its plane. If the light is at a place its rays part, and the
+// lines that bound the side have their signs beyond its horizon, too.
 struct DrawnSide {
     const ShadowSide& side;
     ScreenLine horizon;

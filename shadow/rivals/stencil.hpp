@@ -20,7 +20,7 @@
 // direction, only rays parallel to it end in a volume.
 //
 // Where a side and what is seen have codes that are equal, or rounded to the wrong order, the count
-// is not that of the polygons. Those pixels are this method's error; attached shadow is not of them.
+// is not that of the polygons. Those pixels are this method's error. Attached shadow has none.
 #pragma once
 
 #include "shadow/rivals/depth_code.hpp"

@@ -350,7 +350,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 9}},
+        {"form", {0, 12}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"sector_test", {0, 1}},
