@@ -1,6 +1,6 @@
-// Shadow volumes counted in a frame store, fragment by fragment (Heidmann 1991; z-fail: Carmack
-// 2000, Bilodeau & Songy 1999; Everitt & Kilgard 2002). The third class as graphics machines have
-// it: its depths are the store's Z codes.
+// Shadow volumes counted in a frame store, fragment by fragment (Heidmann 1991; z-fail: Bilodeau
+// & Songy 1999; Everitt & Kilgard 2002). The third class as graphics machines have it: its depths
+// are the store's Z codes.
 //
 // Each polygon of the volumes is drawn against the codes of what is seen, and where it passes its
 // weight is added to a counter in the store: 1 if the eye's ray enters a volume there, -1 if it

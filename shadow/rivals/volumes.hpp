@@ -15,6 +15,8 @@
 // consistent (general form: Kim, Kim & Turk 2008). The sum does not depend on the order in which
 // the sides are met, so it is taken a side at a time.
 //
+// Crow's own order and the frame store's count are ordered_volumes.hpp and stencil.hpp.
+//
 // If the eye is in a volume the count begins there. Of the volumes on whose border the eye lies
 // exactly, that is decided for each pixel, as for a point of its ray just before the eye.
 #pragma once

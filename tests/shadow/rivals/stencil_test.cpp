@@ -51,19 +51,6 @@ TEST(Stencil, PassAndFailHaveOneNumberInTheNamedScenes) {
     EXPECT_EQ(wrong, (std::map<std::string, std::size_t>{{"eye_in_shadow", 12}}));
 }
 
-TEST(Stencil, TheFiguresShadowAndTheWidthOfItsCodes) {
-    const FiguresScene scene(3);
-    const Setting& s = scene.setting();
-    const std::vector<std::uint8_t> right = scene.brute_mask();
-    for (const auto& [bits, wrong] : {std::pair{16, 0u}, {12, 6u}, {10, 33u}, {8, 150u}}) {
-        const DepthScale scale = figures_scale(scene, bits);
-        const Stenciled pass(s, scene.shown(), scale, z_pass);
-        const Stenciled fail(s, scene.shown(), scale, z_fail);
-        EXPECT_EQ(pass.numbers, fail.numbers) << bits;
-        EXPECT_EQ(differing(mask_of(s, scene.shown(), pass.numbers), right), wrong) << bits;
-    }
-}
-
 TEST(Stencil, EyesAtAPlaceHaveCoarserCodesFarAway) {
     const FiguresScene scene(2, 8, -100, 3);
     for (const auto& [bits, wrong] : {std::pair{16, 0u}, {10, 1u}, {8, 7u}})
