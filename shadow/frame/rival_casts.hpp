@@ -11,9 +11,9 @@
 namespace umbra78::shadow {
 
 // Writes the mask and returns what it took. If the carver does not hold it afterwards, the mask is
-// not complete, and used() is what would have let it go on.
+// not complete, and used() is what would have let it go on. `scale` is of the observer's store.
 rivals::Work cast_by(Form form, const rivals::Setting& setting,
-                     std::span<const std::uint32_t> shown, Carver& carver,
-                     std::span<std::uint8_t> mask);
+                     std::span<const std::uint32_t> shown, const rivals::DepthScale& scale,
+                     Carver& carver, std::span<std::uint8_t> mask);
 
 }  // namespace umbra78::shadow

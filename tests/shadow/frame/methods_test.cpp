@@ -64,7 +64,9 @@ TEST(Methods, TheSettingsChooseARow) {
     }
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",
                                                   "ap120b", "ground", "blob", "brute",
-                                                  "volumes", "bouknight_kelley", "appel",
+                                                  "volumes", "ordered_volumes",
+                                                  "stencil_pass", "stencil_fail",
+                                                  "bouknight_kelley", "appel",
                                                   "splitting", "irregular",
                                                   "irregular_map"}));
     Settings none;
