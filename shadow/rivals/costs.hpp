@@ -48,6 +48,8 @@ inline constexpr Operations scanned_texel{1, 0, 0, 0, 0, 1};
 // The sign of three lines: a determinant of 3 x 3, of 32-bit words; with a meeting line, of 64.
 inline constexpr Operations line_sign{5, 9, 36, 0, 0, 0};
 inline constexpr Operations meeting_sign{5, 9, 144, 0, 0, 0};
+// Where two lines of a piece meet: their product, two quotients, the box is widened.
+inline constexpr Operations piece_corner{7, 6, 24, 2, 62, 0};
 inline constexpr Operations cut_piece{0, 0, 0, 0, 0, 8};         // its lines are written again
 inline constexpr Operations piece_row = 4 * projected_edge;      // its lines, cut by a row
 inline constexpr Operations read_pixel{0, 0, 0, 0, 0, 1};
@@ -109,7 +111,9 @@ inline Work work_of(const IrregularCounts& c, const Mesh& mesh, std::uint64_t pi
 
 // The pieces of all facets serve every observer.
 inline hw::Operations piece_operations(const CasterCounts& casters, const CutCounts& cuts) {
-    return casters.boxes * cost::box_test + casters.planes * (6 * cost::plane_side) +
+    return (casters.boxes + cuts.boxes) * cost::box_test +
+           casters.planes * (6 * cost::plane_side) + cuts.footprints * cost::picture_facet +
+           cuts.corners * cost::piece_corner +
            cuts.signs.edges * cost::line_sign + cuts.signs.meetings * cost::meeting_sign +
            cuts.cuts * cost::cut_piece;
 }

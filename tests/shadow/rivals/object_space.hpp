@@ -4,6 +4,8 @@
 #include "shadow/rivals/perimeters.hpp"
 #include "tests/shadow/rivals/scenes.hpp"
 
+#include <gtest/gtest.h>
+
 namespace umbra78::shadow::rivals::test {
 
 struct Capacities {
@@ -121,6 +123,16 @@ inline std::size_t pieces_at(const LightLines& lines, const PieceStore& store, s
         count += inside ? 1 : 0;
     }
     return count;
+}
+
+// Each of the pixels, of which every `step`-th is asked, is in one piece of the facet it shows.
+inline void expect_partition(ObjectSpace& o, std::span<const std::uint32_t> shown,
+                             std::size_t step) {
+    for (std::size_t at = 0; at < shown.size(); at += step) {
+        const std::uint32_t on = shown[at];
+        if (on == nothing_seen || o.lines().setting().attached(on)) continue;
+        ASSERT_EQ(pieces_at(o.lines(), o.store(), on, at), 1u) << "pixel " << at;
+    }
 }
 
 }  // namespace umbra78::shadow::rivals::test

@@ -57,12 +57,8 @@ TEST(Perimeters, EqualBruteForce) {
         cycles += o.order_counts().cycles;
         left_out += o.perimeter_counts().fragments - o.perimeter_counts().joined;
         if (seed % 16 != 0) continue;
-        for (std::size_t at = 0; at < scene.shown().size(); ++at) {
-            const std::uint32_t on = scene.shown()[at];
-            if (on == nothing_seen || scene.setting().attached(on)) continue;
-            ASSERT_EQ(pieces_at(o.lines(), o.store(), on, at), 1u)
-                << "seed " << seed << ", pixel " << at;
-        }
+        expect_partition(o, scene.shown(), 1);
+        ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
     }
     EXPECT_GT(cycles, enough(5'000));
     EXPECT_GT(left_out, enough(5'000));
