@@ -8,4 +8,7 @@ namespace umbra78::shadow {
 rivals::Work by_splitting(const rivals::Setting& s, std::span<const std::uint32_t> shown,
                           Carver& carver, std::span<std::uint8_t> mask);
 
+rivals::Work by_perimeters(const rivals::Setting& s, std::span<const std::uint32_t> shown,
+                           Carver& carver, std::span<std::uint8_t> mask);
+
 }  // namespace umbra78::shadow

@@ -26,7 +26,7 @@ namespace umbra78::shadow {
 // (shadow/rivals/RIVALS.md).
 enum class Form : std::uint8_t {
     post_process, correct, ground, blob,
-    brute, volumes, bouknight_kelley, appel, splitting, irregular,
+    brute, volumes, bouknight_kelley, appel, splitting, perimeters, irregular,
 };
 constexpr bool is_on_ground(Form form) { return form == Form::ground || form == Form::blob; }
 constexpr bool is_rival(Form form) { return form >= Form::brute; }

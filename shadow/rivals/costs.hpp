@@ -9,8 +9,11 @@
 #include "shadow/rivals/appel.hpp"
 #include "shadow/rivals/bouknight_kelley.hpp"
 #include "shadow/rivals/irregular.hpp"
+#include "shadow/rivals/perimeters.hpp"
 #include "shadow/rivals/split.hpp"
 #include "shadow/rivals/volumes.hpp"
+
+#include <bit>
 
 namespace umbra78::shadow::rivals {
 
@@ -122,6 +125,17 @@ inline Work work_of(const SplitCounts& c, const MaskCounts& mask, const Mesh& me
                     std::uint64_t pixels) {
     return {mesh.facets.size() * (cost::facet_side + cost::picture_facet) +
                 mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts),
+            pixels * cost::written_pixel + mask.rows * cost::piece_row};
+}
+
+// The casters' counts of perimeters have the order's in them.
+inline Work work_of(const OrderCounts& order, const PerimeterCounts& c, const MaskCounts& mask,
+                    const Mesh& mesh, std::uint64_t pixels) {
+    const std::uint64_t facets = mesh.facets.size();
+    return {facets * (cost::facet_side + cost::picture_facet + 3 * cost::plane_side) +
+                facets * std::bit_width(facets) * cost::compare +
+                mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts) +
+                piece_operations({}, order.cuts),
             pixels * cost::written_pixel + mask.rows * cost::piece_row};
 }
 

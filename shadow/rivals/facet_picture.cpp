@@ -93,10 +93,10 @@ FacetPicture::FacetPicture(const Setting& setting, std::uint32_t facet) {
     }
 }
 
-PictureBox FacetPicture::of_facet(const Setting& setting, std::uint32_t facet) const {
+// False if some of it is not before the light.
+bool FacetPicture::add_facet(const Setting& setting, std::uint32_t facet, PictureBox& box) const {
     const Centre& light = setting.light.centre;
     const std::array<std::int64_t, 3> l{light.x, light.y, light.z};
-    PictureBox box = nothing;
     for (const Point& p : setting.mesh.corners(facet)) {
         RoughPlace at{};
         if (is_direction_) {
@@ -108,9 +108,17 @@ PictureBox FacetPicture::of_facet(const Setting& setting, std::uint32_t facet) c
             const auto v = from_light(light, p);
             at = {sense_ * v[a_], sense_ * v[b_], sense_ * v[d_], 0};
         }
-        if (at.w <= 0) return everything;
+        if (at.w <= 0) return false;
         widen(box, at, is_direction_ ? word_fraction : quotient_fraction);
     }
+    return true;
+}
+
+PictureBox FacetPicture::of_facets(const Setting& setting,
+                                   std::span<const std::uint32_t> facets) const {
+    PictureBox box = nothing;
+    for (const std::uint32_t f : facets)
+        if (!add_facet(setting, f, box)) return everything;
     return box;
 }
 

@@ -29,12 +29,14 @@ public:
     FacetPicture(const Setting& setting, std::uint32_t facet);
 
     bool has_boxes() const { return has_boxes_; }
-    // Of a whole facet: everything, if some of it is not before the light.
-    PictureBox of_facet(const Setting& setting, std::uint32_t facet) const;
+    // Of whole facets: everything, if some of it is not before the light.
+    PictureBox of_facets(const Setting& setting, std::span<const std::uint32_t> facets) const;
     // Of a piece of the picture's own facet.
     PictureBox of_piece(const LightLines& lines, std::span<const LineId> piece) const;
 
 private:
+    bool add_facet(const Setting& setting, std::uint32_t facet, PictureBox& box) const;
+
     bool is_direction_ = true, has_boxes_ = false;
     std::size_t d_ = 0, a_ = 1, b_ = 2;  // the axis across which the picture is, and its own
     std::int64_t sense_ = 1;             // the facet is before the light along axis d, or against

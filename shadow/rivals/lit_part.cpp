@@ -100,14 +100,14 @@ bool LitPart::touches(Node& node, const PictureBox& footprint, CutCounts& counts
     return node.box.overlaps(footprint);
 }
 
-bool LitPart::shade(std::uint32_t by, std::span<const LineId> footprint, PieceStore& out,
-                    CutCounts& counts) {
+bool LitPart::shade(std::span<const std::uint32_t> by, std::span<const LineId> footprint,
+                    PieceStore& out, CutCounts& counts) {
     close_gaps();
     const std::size_t nodes = used_nodes_;
     PictureBox box{};
     if (nodes > 1 && picture_.has_boxes()) {
-        box = picture_.of_facet(light_lines_->setting(), by);
-        ++counts.footprints;
+        box = picture_.of_facets(light_lines_->setting(), by);
+        counts.footprints += by.size();
     }
     bool any = false;
     for (std::uint32_t at = 0; at != none && fits_;) {

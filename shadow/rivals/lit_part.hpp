@@ -29,11 +29,11 @@ public:
 
     // `outline` is within the facet. `lines` is kept by reference, until the next begin().
     void begin(const LightLines& lines, std::uint32_t facet, std::span<const LineId> outline);
-    // Takes away what is inside all lines of a footprint, which is of the facet `by` or within it,
-    // and adds it to `out` as dark. A piece that has nothing inside stays whole. False if nothing
+    // Takes away what is inside all lines of a footprint, which is within the facets `by`, and adds
+    // it to `out` as dark. A piece that has nothing inside stays whole. False if nothing
     // was inside, or there is no room.
-    bool shade(std::uint32_t by, std::span<const LineId> footprint, PieceStore& out,
-               CutCounts& counts);
+    bool shade(std::span<const std::uint32_t> by, std::span<const LineId> footprint,
+               PieceStore& out, CutCounts& counts);
     // Adds what is left to `out` as lit.
     void finish(PieceStore& out) const;
     bool is_dark() const { return live_ == 0; }

@@ -16,7 +16,7 @@ bool shade_by(LightLines& lines, std::uint32_t r, std::uint32_t f, Before before
         footprint[count++] = lines.meeting(r, f, -lines.setting().light.sides[f]);
         if (!lines.fits()) return false;
     }
-    if (!lit_part.shade(f, std::span(footprint).first(count), out, counts))
+    if (!lit_part.shade(std::span(&f, 1), std::span(footprint).first(count), out, counts))
         lines.release(meetings);  // no piece has the line
     return lit_part.fits();
 }

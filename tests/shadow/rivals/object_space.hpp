@@ -60,10 +60,16 @@ public:
         return status;
     }
     // After sort_from_light().
-    PieceStatus clip() {
+    PieceStatus clip(bool in_pairs = false) {
         Casters casters(setting_, grid_, marks_);
+        FootprintPairs pairs;
         perimeter_counts_ = {};
-        return clip_by_perimeters(lines_, casters, order_, lit_part_, store_, perimeter_counts_);
+        pairs_memory_ =
+            std::make_unique<Memory>(FootprintPairs::bytes(setting_.mesh.facets.size()));
+        fixed::require(!in_pairs || pairs.make(lines_, pairs_memory_->bytes(),
+                                               perimeter_counts_.cuts.signs), "a test's pairs");
+        return clip_by_perimeters(lines_, casters, order_, pairs, lit_part_, store_,
+                                  perimeter_counts_);
     }
     std::vector<std::uint8_t> mask() {
         std::vector<std::uint8_t> mask(shown_.size());
@@ -100,7 +106,7 @@ private:
     PieceStore store_;
     LightOrder order_;
     std::unique_ptr<Memory> grid_memory_, lines_memory_, work_memory_, store_memory_,
-        order_memory_;
+        order_memory_, pairs_memory_;
     SplitCounts split_counts_{};
     OrderCounts order_counts_{};
     CasterCounts order_casters_{};

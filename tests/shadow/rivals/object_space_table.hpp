@@ -57,7 +57,7 @@ inline Row perimeter_row(ObjectSpace& o, int k) {
     const PerimeterCounts& c = o.perimeter_counts();
     const SignCounts &s = order.cuts.signs, &t = c.cuts.signs;
     return {static_cast<std::uint64_t>(k), c.fragments,
-            o.order_casters().boxes + c.casters.boxes, order.asked, c.joined, c.compared,
+            o.order_casters().boxes + c.casters.boxes, order.asked, c.joined, c.compared, c.pairs,
             c.cuts.boxes, c.cuts.tests, c.cuts.cuts, s.edges + s.meetings + t.edges + t.meetings,
             o.store().needed().pieces, lit_pieces(o.store()), o.store().needed().lines};
 }
@@ -74,11 +74,12 @@ inline void check_split(const FiguresScene& scene, int k, bool only_seen) {
     expect_partition(o, scene.shown(), 97);
 }
 
-inline void check_perimeters(const FiguresScene& scene, int k) {
+inline void check_perimeters(const FiguresScene& scene, int k, bool in_pairs) {
     ObjectSpace o(scene.setting(), scene.shown(), figures_room(scene.setting()));
     ASSERT_EQ(o.sort_from_light(), OrderStatus::ok);
-    ASSERT_EQ(o.clip(), PieceStatus::ok);
-    EXPECT_EQ(perimeter_row(o, k), published_row("Perimeters", k));
+    ASSERT_EQ(o.clip(in_pairs), PieceStatus::ok);
+    const std::string table = in_pairs ? "Perimeters, merged by two" : "Perimeters";
+    EXPECT_EQ(perimeter_row(o, k), published_row(table, k)) << table;
     EXPECT_EQ(o.order_counts().cycles, 0u);
     EXPECT_EQ(o.order_counts().hides, k == 16 ? 8u : 0u);
     BruteCounts counts;

@@ -19,7 +19,8 @@ const std::string rivals_small = " --set xy_bits=6 ";
 TEST_F(Program, RendersOfRivalsHaveOneMask) {
     std::string mask;
     for (const char* form :
-         {"brute", "volumes", "bouknight_kelley", "appel", "splitting", "irregular"}) {
+         {"brute", "volumes", "bouknight_kelley", "appel", "splitting", "perimeters",
+          "irregular"}) {
         const Ran ran = run("render " + rivals_scenes + "figures.toml" + rivals_small +
                             "--set form=" + form + " --out a.png --json");
         ASSERT_EQ(ran.exit_code, 0) << ran.err;
