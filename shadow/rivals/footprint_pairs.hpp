@@ -4,8 +4,8 @@
 //
 // Both facets lie on one side each of the edge as the light sees it: with outlines (a, b, e) and
 // (c, d, e turned around) the outline of both is (a, b, c, d). It is convex if the corner of c and
-// d is strictly inside a and b. A facet is in one pair at most; pairs are made by the facets' numbers
-// and then their sides.
+// d is strictly inside a and b. A facet is in one pair at most; pairs are made by the facets'
+// numbers and then their sides.
 #pragma once
 
 #include "shadow/rivals/light_lines.hpp"
