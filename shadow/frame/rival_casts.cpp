@@ -1,6 +1,6 @@
 #include "shadow/frame/rival_casts.hpp"
 
-#include <algorithm>
+#include "shadow/frame/object_space_casts.hpp"
 
 namespace umbra78::shadow {
 namespace {
@@ -9,22 +9,6 @@ using namespace rivals;
 using Shown = std::span<const std::uint32_t>;
 using Mask = std::span<std::uint8_t>;
 using SettingOf = const rivals::Setting&;
-
-// What takes its memory from the rest and says how much it needs: build(memory, needed).
-template <class Build>
-bool built_from(Carver& carver, Build&& build) {
-    if (!carver.fits()) return false;
-    std::size_t needed = 0;
-    const bool done = build(carver.rest(), needed);
-    carver.take<std::byte>(needed);
-    return done && carver.fits();
-}
-
-bool built_grid(SettingOf s, Carver& carver, LightGrid& grid) {
-    return built_from(carver, [&](std::span<std::byte> memory, std::size_t& needed) {
-        return grid.build(s, 0, memory, needed);
-    });
-}
 
 bool built_links(SettingOf s, Shown shown, Carver& carver, Links& links, LinkCounts& counts) {
     return built_from(carver, [&](std::span<std::byte> memory, std::size_t& needed) {
@@ -133,64 +117,6 @@ Work by_irregular(SettingOf s, Shown shown, Carver& carver, Mask mask) {
     return done ? work_of(counts, s.mesh, mask.size()) : Work{};
 }
 
-// How much room pieces get: `turn` times as much for each step in which it was too little.
-struct PieceRoom {
-    std::size_t meetings;
-    WorkSize work;
-    PieceSize pieces;
-
-    PieceRoom(std::size_t facets, std::size_t turn)
-        : meetings(turn * 256), work{turn * 256, turn * 2048, turn * 32},
-          pieces{turn * (4 * facets + 256), turn * (16 * facets + 1024)} {}
-};
-
-struct PieceParts {
-    std::span<std::byte> lines, work, store;
-    std::span<std::uint32_t> marks;
-};
-
-PieceParts parts_of(Carver& carver, const Mesh& mesh, const PieceRoom& room) {
-    const std::size_t facets = mesh.facets.size();
-    return {carver.take<std::byte>(LightLines::bytes(mesh, room.meetings)),
-            carver.take<std::byte>(LitPart::bytes(room.work)),
-            carver.take<std::byte>(PieceStore::bytes(room.pieces, facets)),
-            carver.take<std::uint32_t>(facets)};
-}
-
-Work by_splitting(SettingOf s, Shown shown, Carver& carver, Mask mask) {
-    const std::size_t facets = s.mesh.facets.size();
-    LightGrid grid;
-    if (!built_grid(s, carver, grid)) return {};
-    // As much room as the memory has, in doublings; if that is too little, twice as much is asked.
-    const auto needs = [&](std::size_t turn) {
-        Carver trial(static_cast<std::byte*>(nullptr));
-        parts_of(trial, s.mesh, PieceRoom(facets, turn));
-        return trial.used();
-    };
-    std::size_t turn = 1;
-    while (needs(2 * turn) <= carver.rest().size()) turn *= 2;
-    Carver before = carver;
-    const PieceRoom room(facets, turn);
-    const PieceParts parts = parts_of(carver, s.mesh, room);
-    if (!carver.fits()) return {};
-    LightLines lines;
-    if (!lines.make(s, room.meetings, parts.lines)) return {};
-    LitPart lit_part(parts.work, room.work);
-    PieceStore store(parts.store, room.pieces, facets);
-    Casters casters(s, grid, parts.marks);
-    SplitCounts counts;
-    MaskCounts mask_counts;
-    if (split(lines, casters, {}, lit_part, store, counts) != PieceStatus::ok) {
-        carver = before;
-        carver.take<std::byte>(needs(2 * turn));
-        return {};
-    }
-    const auto shown_lines = carver.take<ShownLine>(store.longest());
-    if (!carver.fits()) return {};
-    mask_of_pieces(lines, store, shown, shown_lines, mask, mask_counts);
-    return work_of(counts, mask_counts, store.pieces().size(), s.mesh, mask.size());
-}
-
 }  // namespace
 
 Work cast_by(Form form, const rivals::Setting& setting, std::span<const std::uint32_t> shown,
@@ -206,6 +132,7 @@ Work cast_by(Form form, const rivals::Setting& setting, std::span<const std::uin
         case Form::bouknight_kelley: return by_scan_out(setting, shown, carver, mask);
         case Form::appel: return by_appel(setting, shown, carver, mask);
         case Form::splitting: return by_splitting(setting, shown, carver, mask);
+        case Form::perimeters: return by_perimeters(setting, shown, carver, mask);
         case Form::irregular: return by_irregular(setting, shown, carver, mask);
         default: return by_brute(setting, shown, carver, mask);
     }

@@ -16,4 +16,20 @@ rivals::Work cast_by(Form form, const rivals::Setting& setting,
                      std::span<const std::uint32_t> shown, const rivals::DepthScale& scale,
                      Carver& carver, std::span<std::uint8_t> mask);
 
+// What takes its memory from the rest and says how much it needs: build(memory, needed).
+template <class Build>
+bool built_from(Carver& carver, Build&& build) {
+    if (!carver.fits()) return false;
+    std::size_t needed = 0;
+    const bool done = build(carver.rest(), needed);
+    carver.take<std::byte>(needed);
+    return done && carver.fits();
+}
+
+inline bool built_grid(const rivals::Setting& s, Carver& carver, rivals::LightGrid& grid) {
+    return built_from(carver, [&](std::span<std::byte> memory, std::size_t& needed) {
+        return grid.build(s, 0, memory, needed);
+    });
+}
+
 }  // namespace umbra78::shadow

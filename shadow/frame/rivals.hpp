@@ -33,6 +33,8 @@ inline constexpr std::array rival_rows{
              "facets' shadows are found while the picture is scanned out (first class)"},
     RivalRow{Form::appel, "appel", "the number of surfaces before the points of a scan line"},
     RivalRow{Form::splitting, "splitting", "facets are split by their casters (second class)"},
+    RivalRow{Form::perimeters, "perimeters",
+             "facets from the light on are clipped by the outlines before them (second class)"},
     RivalRow{Form::irregular, "irregular",
              "the alias-free map: the visible points are its texels"}};
 

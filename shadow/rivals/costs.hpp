@@ -10,9 +10,12 @@
 #include "shadow/rivals/bouknight_kelley.hpp"
 #include "shadow/rivals/irregular.hpp"
 #include "shadow/rivals/ordered_volumes.hpp"
+#include "shadow/rivals/perimeters.hpp"
 #include "shadow/rivals/split.hpp"
 #include "shadow/rivals/stencil.hpp"
 #include "shadow/rivals/volumes.hpp"
+
+#include <bit>
 
 namespace umbra78::shadow::rivals {
 
@@ -56,6 +59,8 @@ inline constexpr Operations scanned_texel{1, 0, 0, 0, 0, 1};
 // The sign of three lines: a determinant of 3 x 3, of 32-bit words; with a meeting line, of 64.
 inline constexpr Operations line_sign{5, 9, 36, 0, 0, 0};
 inline constexpr Operations meeting_sign{5, 9, 144, 0, 0, 0};
+// Where two lines of a piece meet: their product, two quotients, the box is widened.
+inline constexpr Operations piece_corner{7, 6, 24, 2, 62, 0};
 inline constexpr Operations cut_piece{0, 0, 0, 0, 0, 8};         // its lines are written again
 inline constexpr Operations piece_row = 4 * projected_edge;      // its lines, cut by a row
 inline constexpr Operations read_pixel{0, 0, 0, 0, 0, 1};
@@ -146,7 +151,9 @@ inline Work work_of(const IrregularCounts& c, const Mesh& mesh, std::uint64_t pi
 
 // The pieces of all facets serve every observer.
 inline hw::Operations piece_operations(const CasterCounts& casters, const CutCounts& cuts) {
-    return casters.boxes * cost::box_test + casters.planes * (6 * cost::plane_side) +
+    return (casters.boxes + cuts.boxes) * cost::box_test +
+           casters.planes * (6 * cost::plane_side) + cuts.footprints * cost::picture_facet +
+           cuts.corners * cost::piece_corner +
            cuts.signs.edges * cost::line_sign + cuts.signs.meetings * cost::meeting_sign +
            cuts.cuts * cost::cut_piece;
 }
@@ -155,6 +162,17 @@ inline Work work_of(const SplitCounts& c, const MaskCounts& mask, std::uint64_t 
                     const Mesh& mesh, std::uint64_t pixels) {
     return {mesh.facets.size() * (cost::facet_side + cost::picture_facet) +
                 mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts),
+            pixels * cost::written_pixel + mask.rows * cost::piece_row, pieces};
+}
+
+// The casters' counts of perimeters have the order's in them.
+inline Work work_of(const OrderCounts& order, const PerimeterCounts& c, const MaskCounts& mask,
+                    std::uint64_t pieces, const Mesh& mesh, std::uint64_t pixels) {
+    const std::uint64_t facets = mesh.facets.size();
+    return {facets * (cost::facet_side + cost::picture_facet + 3 * cost::plane_side) +
+                facets * std::bit_width(facets) * cost::compare +
+                mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts) +
+                piece_operations({}, order.cuts),
             pixels * cost::written_pixel + mask.rows * cost::piece_row, pieces};
 }
 

@@ -113,9 +113,9 @@ public:
     int sign(LineId a, LineId b, LineId c, SignCounts& counts) const;
 
     ShownLine shown(std::uint32_t on, LineId id) const;
+    const LightLine& line(LineId id) const;
 
 private:
-    const LightLine& line(LineId id) const;
     std::array<Sum, 3> numbers(const Plane& plane) const;
 
     const Setting* setting_ = nullptr;

@@ -8,6 +8,7 @@
 // facets that lie in one plane do not shadow each other.
 #pragma once
 
+#include "shadow/rivals/footprint_pairs.hpp"
 #include "shadow/rivals/light_order.hpp"
 #include "shadow/rivals/split.hpp"
 
@@ -20,12 +21,16 @@ struct PerimeterCounts {
     std::uint64_t joined = 0;     // of them, that are footprints
     std::uint64_t edges = 0;      // lines of the footprints
     std::uint64_t compared = 0;   // pairs of a fragment and a footprint, past boxes and planes
+    std::uint64_t pairs = 0;      // of these, of two footprints merged
     CasterCounts casters;         // of the given casters, so far
     CutCounts cuts;
 };
 
-// `order` was made with `lines`. All its fragments are clipped, whoever sees them.
+// `order` was made with `lines`. All its fragments are clipped, whoever sees them. Where both
+// facets of a pair have become footprints, were not cut by the order, and are before a fragment,
+// they clip it as one; `pairs` may have none.
 PieceStatus clip_by_perimeters(LightLines& lines, Casters& casters, LightOrder& order,
-                               LitPart& lit_part, PieceStore& out, PerimeterCounts& counts);
+                               FootprintPairs& pairs, LitPart& lit_part, PieceStore& out,
+                               PerimeterCounts& counts);
 
 }  // namespace umbra78::shadow::rivals

@@ -31,6 +31,25 @@ Part cut(const LightLines& lines, std::span<const LineId> piece, LineId line, Li
     return some_inside ? Part::inside : Part::outside;
 }
 
+bool common_part(const LightLines& lines, std::span<const LineId> piece,
+                 std::span<const LineId> footprint, std::span<LineId> room,
+                 std::span<const LineId>& inside, bool& fits, CutCounts& counts) {
+    const std::size_t half = room.size() / 2;
+    std::size_t turn = 0;
+    inside = piece;
+    for (const LineId line : footprint) {
+        LineList in{room.subspan(turn * half, half)}, out{};
+        const Part part = cut(lines, inside, line, in, out, counts);
+        if (part == Part::outside) return false;
+        if (part == Part::inside) continue;
+        fits = fits && in.fits();
+        if (!fits) return false;
+        inside = in.lines();
+        turn = 1 - turn;
+    }
+    return true;
+}
+
 // --- what is made ---------------------------------------------------------------------------
 
 namespace {
@@ -104,7 +123,7 @@ void fill_piece(const LightLines& lines, const Piece& piece, std::span<const Sho
             const std::size_t at = start + static_cast<std::size_t>(column);
             if (shown[at] != piece.facet) continue;
             ++counts.pixels;
-            mask[at] = piece.is_lit ? lit : dark;
+            mask[at] = lit;
         }
     }
 }
@@ -119,132 +138,11 @@ bool mask_of_pieces(const LightLines& lines, const PieceStore& pieces,
     for (std::size_t at = 0; at < mask.size(); ++at)
         mask[at] = shown[at] == nothing_seen ? lit : dark;
     for (const Piece& piece : pieces.pieces()) {
+        if (!piece.is_lit) continue;
         if (setting.eye.sides[piece.facet] == 0 || setting.attached(piece.facet)) continue;
         const auto ids = pieces.lines(piece);
         for (std::size_t k = 0; k < ids.size(); ++k) room[k] = lines.shown(piece.facet, ids[k]);
         fill_piece(lines, piece, room.first(ids.size()), shown, mask, counts);
-    }
-    return true;
-}
-
-// --- what is being cut ----------------------------------------------------------------------
-
-std::size_t LitPart::bytes(const WorkSize& size) {
-    Carver carver(static_cast<std::byte*>(nullptr));
-    carver.take<Range>(size.pieces);
-    carver.take<LineId>(size.lines);
-    carver.take<LineId>(size.longest);
-    carver.take<LineId>(size.longest);
-    return carver.used();
-}
-
-LitPart::LitPart(std::span<std::byte> memory, const WorkSize& size) {
-    Carver carver(memory);
-    pieces_ = carver.take<Range>(size.pieces);
-    lines_ = carver.take<LineId>(size.lines);
-    for (auto& part : parts_) part = carver.take<LineId>(size.longest);
-    fits_ = carver.fits();
-    needed_ = size;
-}
-
-void LitPart::begin(std::span<const LineId> outline) {
-    used_pieces_ = used_lines_ = live_ = 0;
-    const LineList whole{lines_, outline.size()};
-    if (!keep({}, whole)) return;
-    std::copy(outline.begin(), outline.end(), lines_.begin());
-}
-
-// Makes the lines that are at the end of lines_ a piece.
-bool LitPart::keep(const LineList& inside, const LineList& outside) {
-    needed_ = {std::max(needed_.pieces, used_pieces_ + 1),
-               std::max(needed_.lines, used_lines_ + outside.count),
-               std::max(needed_.longest, inside.count)};
-    fits_ = fits_ && inside.fits() && outside.fits() && used_pieces_ < pieces_.size();
-    if (!fits_) return false;
-    pieces_[used_pieces_++] = {static_cast<std::uint32_t>(used_lines_),
-                               static_cast<std::uint32_t>(outside.count)};
-    used_lines_ += outside.count;
-    ++live_;
-    return true;
-}
-
-// Finds what of a piece is inside a footprint, and adds what is not. False if nothing is inside.
-bool LitPart::within(const LightLines& lines, std::span<const LineId> piece,
-                     std::span<const LineId> footprint, std::span<const LineId>& inside,
-                     CutCounts& counts) {
-    inside = piece;
-    std::size_t turn = 0;
-    for (const LineId line : footprint) {
-        LineList in{parts_[turn]}, out{lines_.subspan(used_lines_)};
-        const Part part = cut(lines, inside, line, in, out, counts);
-        if (part == Part::outside) return false;
-        if (part == Part::inside) continue;
-        if (!keep(in, out)) return false;
-        inside = in.lines();
-        turn = 1 - turn;
-    }
-    return true;
-}
-
-bool LitPart::shade(const LightLines& lines, std::uint32_t facet,
-                    std::span<const LineId> footprint, PieceStore& out, CutCounts& counts) {
-    close_gaps();
-    const std::size_t pieces = used_pieces_;
-    bool any = false;
-    for (std::size_t i = 0; i < pieces && fits_; ++i) {
-        const Range piece = pieces_[i];
-        if (piece.count == 0) continue;
-        const std::size_t before_pieces = used_pieces_, before_lines = used_lines_;
-        std::span<const LineId> inside;
-        if (within(lines, lines_.subspan(piece.first, piece.count), footprint, inside, counts)) {
-            out.add(facet, false, inside);
-            pieces_[i].count = 0;
-            --live_;
-            any = true;
-        } else {
-            counts.undone += used_pieces_ - before_pieces;
-            live_ -= used_pieces_ - before_pieces;
-            used_pieces_ = before_pieces, used_lines_ = before_lines;
-        }
-    }
-    return any;
-}
-
-// Moves the pieces together if half of them are none any more.
-void LitPart::close_gaps() {
-    if (used_pieces_ < 2 * live_ + 2) return;
-    std::size_t pieces = 0, lines = 0;
-    for (std::size_t i = 0; i < used_pieces_; ++i) {
-        const Range p = pieces_[i];
-        if (p.count == 0) continue;
-        std::copy_n(lines_.begin() + p.first, p.count,
-                    lines_.begin() + static_cast<std::ptrdiff_t>(lines));
-        pieces_[pieces++] = {static_cast<std::uint32_t>(lines), p.count};
-        lines += p.count;
-    }
-    used_pieces_ = pieces, used_lines_ = lines;
-}
-
-void LitPart::finish(std::uint32_t facet, PieceStore& out) const {
-    for (const Range& p : pieces_.first(used_pieces_))
-        if (p.count != 0) out.add(facet, true, lines_.subspan(p.first, p.count));
-}
-
-bool common_part(const LightLines& lines, std::span<const LineId> piece,
-                 std::span<const LineId> footprint, std::span<LineId> room,
-                 std::span<const LineId>& inside, bool& fits, CutCounts& counts) {
-    const std::size_t half = room.size() / 2;
-    std::size_t turn = 0;
-    inside = piece;
-    for (const LineId line : footprint) {
-        LineList in{room.subspan(turn * half, half)}, out{};
-        const Part part = cut(lines, inside, line, in, out, counts);
-        if (part == Part::outside) return false;
-        if (part == Part::inside) continue;
-        fits = fits && in.fits();
-        if (!fits) return false;
-        inside = in.lines();
-        turn = 1 - turn;
     }
     return true;
 }

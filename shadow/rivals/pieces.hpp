@@ -20,6 +20,10 @@ struct CutCounts {
     std::uint64_t tests = 0;   // of a piece against a line
     std::uint64_t cuts = 0;    // of them, that left two parts
     std::uint64_t undone = 0;  // cuts of pieces of which, after all, nothing was in the shadow
+    std::uint64_t boxes = 0;   // of pieces, compared with a footprint's
+    std::uint64_t boxed = 0;   // pieces whose box was made
+    std::uint64_t corners = 0;         // of them
+    std::uint64_t footprints = 0;      // whose box was made
     SignCounts signs;
 };
 
@@ -42,6 +46,13 @@ enum class Part : std::uint8_t { inside, outside, both };
 // hold the parts only if there are both.
 Part cut(const LightLines& lines, std::span<const LineId> piece, LineId line, LineList& inside,
          LineList& outside, CutCounts& counts);
+
+// What of a piece is inside all lines of a footprint; false if nothing is. `inside` is the piece
+// itself, or is written to one half of `room`, while the other is used, too; `fits` becomes false
+// if a half is too short.
+bool common_part(const LightLines& lines, std::span<const LineId> piece,
+                 std::span<const LineId> footprint, std::span<LineId> room,
+                 std::span<const LineId>& inside, bool& fits, CutCounts& counts);
 
 // --- what is made ---------------------------------------------------------------------------
 
@@ -85,68 +96,16 @@ private:
 };
 
 struct MaskCounts {
-    std::uint64_t pieces = 0;  // of facets that are seen and not attached
-    std::uint64_t rows = 0;    // of pieces
-    std::uint64_t pixels = 0;  // that found their piece: each once, as pieces are a partition
+    std::uint64_t pieces = 0;  // lit ones, of facets that are seen and not attached
+    std::uint64_t rows = 0;    // of their facets
+    std::uint64_t pixels = 0;  // that are in one: each once, as pieces are a partition
 };
 
-// The mask: a pixel is lit if the piece in which it is, of the facet that it shows, is lit.
+// The mask: a pixel is lit if it is in a lit piece of the facet that it shows. Dark pieces are not
+// drawn: what no lit piece has is dark.
 // `room` has at least pieces.longest() lines; false if it has less.
 bool mask_of_pieces(const LightLines& lines, const PieceStore& pieces,
                     std::span<const std::uint32_t> shown, std::span<ShownLine> room,
                     std::span<std::uint8_t> mask, MaskCounts& counts);
-
-// --- what is being cut ----------------------------------------------------------------------
-
-struct WorkSize {
-    std::size_t pieces = 0, lines = 0;  // of one facet, while it is cut
-    std::size_t longest = 0;            // lines of one piece
-};
-
-// What is still lit of one facet: pieces that have no point in common.
-class LitPart {
-public:
-    static std::size_t bytes(const WorkSize& size);
-    LitPart() = default;
-    LitPart(std::span<std::byte> memory, const WorkSize& size);
-
-    void begin(std::span<const LineId> outline);
-    // Takes away what is inside all lines of a footprint, and adds it to `out` as dark. A piece
-    // that has nothing inside stays whole. False if nothing was inside, or there is no room.
-    bool shade(const LightLines& lines, std::uint32_t facet, std::span<const LineId> footprint,
-               PieceStore& out, CutCounts& counts);
-    // Adds what is left to `out` as lit.
-    void finish(std::uint32_t facet, PieceStore& out) const;
-    bool is_dark() const { return live_ == 0; }
-
-    // False once something did not fit. Then needed() is what was given, or more that would have
-    // let it go on; how much the whole takes is known only with room for it.
-    bool fits() const { return fits_; }
-    const WorkSize& needed() const { return needed_; }
-
-private:
-    struct Range {
-        std::uint32_t first, count;  // no lines: no piece any more
-    };
-    bool within(const LightLines& lines, std::span<const LineId> piece,
-                std::span<const LineId> footprint, std::span<const LineId>& inside,
-                CutCounts& counts);
-    bool keep(const LineList& inside, const LineList& outside);
-    void close_gaps();
-
-    std::span<Range> pieces_;
-    std::span<LineId> lines_;
-    std::array<std::span<LineId>, 2> parts_;
-    std::size_t used_pieces_ = 0, used_lines_ = 0, live_ = 0;
-    WorkSize needed_{};
-    bool fits_ = true;
-};
-
-// What of a piece is inside all lines of a footprint; false if nothing is. `inside` is the piece
-// itself, or is written to one half of `room`, while the other is used, too; `fits` becomes false
-// if a half is too short.
-bool common_part(const LightLines& lines, std::span<const LineId> piece,
-                 std::span<const LineId> footprint, std::span<LineId> room,
-                 std::span<const LineId>& inside, bool& fits, CutCounts& counts);
 
 }  // namespace umbra78::shadow::rivals

@@ -16,7 +16,7 @@ bool shade_by(LightLines& lines, std::uint32_t r, std::uint32_t f, Before before
         footprint[count++] = lines.meeting(r, f, -lines.setting().light.sides[f]);
         if (!lines.fits()) return false;
     }
-    if (!lit_part.shade(lines, r, std::span(footprint).first(count), out, counts))
+    if (!lit_part.shade(std::span(&f, 1), std::span(footprint).first(count), out, counts))
         lines.release(meetings);  // no piece has the line
     return lit_part.fits();
 }
@@ -36,7 +36,7 @@ PieceStatus split(LightLines& lines, Casters& casters, std::span<const std::uint
     for (std::uint32_t r = 0; r < setting.mesh.facets.size(); ++r) {
         if (setting.light.sides[r] == 0 || (!wanted.empty() && wanted[r] == 0)) continue;
         ++counts.receivers;
-        lit_part.begin(lines.outline(r, counts.cuts.signs));
+        lit_part.begin(lines, r, lines.outline(r, counts.cuts.signs));
         casters.for_each(r, [&](std::uint32_t f, Before before) {
             if (lit_part.is_dark()) {
                 ++counts.all_dark;
@@ -46,7 +46,7 @@ PieceStatus split(LightLines& lines, Casters& casters, std::span<const std::uint
         });
         if (!lines.fits()) return PieceStatus::no_meetings;
         if (!lit_part.fits()) return PieceStatus::no_work_room;
-        lit_part.finish(r, out);
+        lit_part.finish(out);
     }
     counts.casters = casters.counts();
     return out.finish() ? PieceStatus::ok : PieceStatus::no_room;

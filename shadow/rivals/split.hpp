@@ -11,7 +11,7 @@
 #pragma once
 
 #include "shadow/rivals/casters.hpp"
-#include "shadow/rivals/pieces.hpp"
+#include "shadow/rivals/lit_part.hpp"
 
 #include <cstdint>
 #include <span>

@@ -66,8 +66,8 @@ TEST(Methods, TheSettingsChooseARow) {
                                                   "ap120b", "ground", "blob", "brute",
                                                   "volumes", "ordered_volumes",
                                                   "stencil_pass", "stencil_fail",
-                                                  "bouknight_kelley", "appel",
-                                                  "splitting", "irregular",
+                                                  "bouknight_kelley", "appel", "splitting",
+                                                  "perimeters", "irregular",
                                                   "irregular_map"}));
     Settings none;
     none.form = Form::correct;

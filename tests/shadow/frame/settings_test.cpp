@@ -243,7 +243,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
           {"ordered_volumes", ordered_volumes}, {"stencil_pass", stencil_pass},
           {"stencil_fail", stencil_fail},
           {"bouknight_kelley", bouknight_kelley}, {"splitting", splitting},
-          {"irregular", irregular}, {"irregular_map", irregular_map}})
+          {"perimeters", perimeters}, {"irregular", irregular},
+          {"irregular_map", irregular_map}})
         all.push_back(named("form", name, form));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
@@ -350,7 +351,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 13}},
+        {"form", {0, 14}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"sector_test", {0, 1}},

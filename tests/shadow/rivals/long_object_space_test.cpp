@@ -10,7 +10,8 @@ TEST(LongObjectSpace, CountsOfTheFiguresScene) {
     const FiguresScene scene(4);
     check_split(scene, 16, true);
     check_split(scene, 16, false);
-    check_perimeters(scene, 16);
+    check_perimeters(scene, 16, false);
+    check_perimeters(scene, 16, true);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include "shadow/rivals/perimeters.hpp"
 #include "tests/shadow/rivals/scenes.hpp"
 
+#include <gtest/gtest.h>
+
 namespace umbra78::shadow::rivals::test {
 
 struct Capacities {
@@ -58,10 +60,16 @@ public:
         return status;
     }
     // After sort_from_light().
-    PieceStatus clip() {
+    PieceStatus clip(bool in_pairs = false) {
         Casters casters(setting_, grid_, marks_);
+        FootprintPairs pairs;
         perimeter_counts_ = {};
-        return clip_by_perimeters(lines_, casters, order_, lit_part_, store_, perimeter_counts_);
+        pairs_memory_ =
+            std::make_unique<Memory>(FootprintPairs::bytes(setting_.mesh.facets.size()));
+        fixed::require(!in_pairs || pairs.make(lines_, pairs_memory_->bytes(),
+                                               perimeter_counts_.cuts.signs), "a test's pairs");
+        return clip_by_perimeters(lines_, casters, order_, pairs, lit_part_, store_,
+                                  perimeter_counts_);
     }
     std::vector<std::uint8_t> mask() {
         std::vector<std::uint8_t> mask(shown_.size());
@@ -98,7 +106,7 @@ private:
     PieceStore store_;
     LightOrder order_;
     std::unique_ptr<Memory> grid_memory_, lines_memory_, work_memory_, store_memory_,
-        order_memory_;
+        order_memory_, pairs_memory_;
     SplitCounts split_counts_{};
     OrderCounts order_counts_{};
     CasterCounts order_casters_{};
@@ -121,6 +129,16 @@ inline std::size_t pieces_at(const LightLines& lines, const PieceStore& store, s
         count += inside ? 1 : 0;
     }
     return count;
+}
+
+// Each of the pixels, of which every `step`-th is asked, is in one piece of the facet it shows.
+inline void expect_partition(ObjectSpace& o, std::span<const std::uint32_t> shown,
+                             std::size_t step) {
+    for (std::size_t at = 0; at < shown.size(); at += step) {
+        const std::uint32_t on = shown[at];
+        if (on == nothing_seen || o.lines().setting().attached(on)) continue;
+        ASSERT_EQ(pieces_at(o.lines(), o.store(), on, at), 1u) << "pixel " << at;
+    }
 }
 
 }  // namespace umbra78::shadow::rivals::test

@@ -31,7 +31,7 @@ inline Row published_row(const std::string& heading, int k) {
 // Room for the figures' scene.
 inline Capacities figures_room(const Setting& setting) {
     const std::size_t n = setting.mesh.facets.size();
-    return {256, {512, 4096, 64}, {4 * n + 1024, 16 * n + 4096}, {n + 64, 4 * n, 64}};
+    return {256, {1024, 8192, 64}, {4 * n + 1024, 16 * n + 4096}, {n + 64, 4 * n, 64}};
 }
 
 inline std::uint64_t lit_pieces(const PieceStore& store) {
@@ -45,7 +45,8 @@ inline Row split_row(ObjectSpace& o, const Setting& setting, int k) {
     const SplitCounts& c = o.split_counts();
     const SignCounts& s = c.cuts.signs;
     return {static_cast<std::uint64_t>(k), setting.mesh.facets.size(), c.receivers,
-            c.casters.boxes, c.casters.casters, c.cuts.tests, c.cuts.cuts, c.cuts.undone,
+            c.casters.boxes, c.casters.casters, c.cuts.boxes, c.cuts.corners, c.cuts.tests,
+            c.cuts.cuts, c.cuts.undone,
             s.edges + s.meetings, o.store().needed().pieces, lit_pieces(o.store()),
             o.store().needed().lines};
 }
@@ -56,8 +57,8 @@ inline Row perimeter_row(ObjectSpace& o, int k) {
     const PerimeterCounts& c = o.perimeter_counts();
     const SignCounts &s = order.cuts.signs, &t = c.cuts.signs;
     return {static_cast<std::uint64_t>(k), c.fragments,
-            o.order_casters().boxes + c.casters.boxes, order.asked, c.joined, c.compared,
-            c.cuts.tests, c.cuts.cuts, s.edges + s.meetings + t.edges + t.meetings,
+            o.order_casters().boxes + c.casters.boxes, order.asked, c.joined, c.compared, c.pairs,
+            c.cuts.boxes, c.cuts.tests, c.cuts.cuts, s.edges + s.meetings + t.edges + t.meetings,
             o.store().needed().pieces, lit_pieces(o.store()), o.store().needed().lines};
 }
 
@@ -70,19 +71,20 @@ inline void check_split(const FiguresScene& scene, int k, bool only_seen) {
     EXPECT_EQ(split_row(o, scene.setting(), k), published_row(table, k)) << table;
     BruteCounts counts;
     EXPECT_EQ(o.mask(), o.brute_mask(counts)) << table << ", k " << k;
-    EXPECT_EQ(o.mask_counts().pixels, counts.points);  // each is in one piece
+    expect_partition(o, scene.shown(), 97);
 }
 
-inline void check_perimeters(const FiguresScene& scene, int k) {
+inline void check_perimeters(const FiguresScene& scene, int k, bool in_pairs) {
     ObjectSpace o(scene.setting(), scene.shown(), figures_room(scene.setting()));
     ASSERT_EQ(o.sort_from_light(), OrderStatus::ok);
-    ASSERT_EQ(o.clip(), PieceStatus::ok);
-    EXPECT_EQ(perimeter_row(o, k), published_row("Perimeters", k));
+    ASSERT_EQ(o.clip(in_pairs), PieceStatus::ok);
+    const std::string table = in_pairs ? "Perimeters, merged by two" : "Perimeters";
+    EXPECT_EQ(perimeter_row(o, k), published_row(table, k)) << table;
     EXPECT_EQ(o.order_counts().cycles, 0u);
     EXPECT_EQ(o.order_counts().hides, k == 16 ? 8u : 0u);
     BruteCounts counts;
     EXPECT_EQ(o.mask(), o.brute_mask(counts)) << "k " << k;
-    EXPECT_EQ(o.mask_counts().pixels, counts.points);
+    expect_partition(o, scene.shown(), 97);
 }
 
 }  // namespace umbra78::shadow::rivals::test
