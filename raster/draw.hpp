@@ -18,6 +18,7 @@
 #include "raster/facet.hpp"
 #include "raster/footprint.hpp"
 #include "raster/leaf_centres.hpp"
+#include "raster/places.hpp"
 #include "raster/projection.hpp"
 #include "raster/sampling.hpp"
 #include "raster/shading.hpp"
@@ -44,6 +45,10 @@ concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
     { sink.sample(sample, code, shading) } -> std::same_as<void>;
     { sink.sample(sample, code, of_facet) } -> std::same_as<void>;
 };
+
+// A sink that has places samples the view there, and not at its pixels' centres.
+template <class T>
+concept PlacesSink = Sink<T> && requires(T& sink) { sink.places; };
 
 // Rounds the view's exact matrix to the unit's words. An affine matrix is refused, too, where a
 // raster word could be so large that its corrections and bounds would not fit 64 bits.
@@ -199,7 +204,10 @@ template <class SampleSink>
 void sample_block(const DrawSetup& setup, const DrawMemory& memory, const BlockShading* shading,
                   const Emitter<SampleSink>& emit) {
     const auto take = [&](auto&& each) {
-        if (!hw::built(hw::Feature::leaf_sampling) || setup.sampling == Sampling::centre) {
+        if constexpr (PlacesSink<SampleSink>) {
+            emit.counts.tested_centres +=
+                sample_block_places(memory.corners, emit.sink.places, each);
+        } else if (!hw::built(hw::Feature::leaf_sampling) || setup.sampling == Sampling::centre) {
             emit.counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
         } else {
             sample_leaves(memory.corners, setup.spec, each);
@@ -276,7 +284,11 @@ void draw_facets(const Mesh& mesh, const DrawSetup& setup, FacetWalk& walk,
             if (!setup.casters.all_alike() && setup.casters.slope_q8 > 0)
                 offset = setup.casters.offset(depth_slope(a, b, c));
             std::uint64_t lines = 0;
-            if constexpr (SampleSink::shades) {
+            if constexpr (PlacesSink<SampleSink>) {
+                const FacetShading* const none = nullptr;
+                lines = sample_triangle_places(a, b, c, emit.sink.places,
+                                               [&](const Sample& s) { emit(s, none, offset); });
+            } else if constexpr (SampleSink::shades) {
                 const FacetShading shading(triangle, walk.facet(), facet.normal[0] == Facet::flat,
                                            setup.shading, *material);
                 lines = sample_triangle(a, b, c, setup.spec,

@@ -109,6 +109,7 @@ struct LightCounts {
     FilteredLines filtered_lines;
     Capacity capacity;
     hw::Operations method_once, method_frame;  // of a rival: for a scene and light; for each frame
+    std::uint64_t method_entries = 0;          // that a rival adds to the scene (rivals/costs.hpp)
 };
 
 struct FrameCounts {

@@ -33,7 +33,7 @@ inline std::string_view missing_feature(const Scene& scene, const Settings& s) {
                {dither, s.dither.shape != hw::DitherShape::none},
                {correct_form, s.form == Form::correct},
                {ground, is_on_ground(s.form)},
-               {rivals, is_rival(s.form)},
+               {rivals, is_rival(s.form) || s.form == Form::irregular_map},
                {ap120b, s.arithmetic == Arithmetic::ap120b},
                {filters, s.dequantize_passes > 0 || s.low_pass_passes > 0},
                {z32, s.machine.z_bits > 16},

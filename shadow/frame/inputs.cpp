@@ -130,6 +130,7 @@ FrameStatus load_matrices(const Scene& scene, const Settings& settings, FrameMat
             return check_rival(scene, settings);
         }
     }
+    if (scene.streamed && !method.has_map()) return rival_of_stream;
     for (std::size_t l = 0; l < scene.light_count; ++l) {
         const FrameStatus status =
             on_ground ? load_on_ground(scene, l, settings, out)

@@ -1,6 +1,7 @@
 #include "shadow/frame/methods.hpp"
 
 #include "shadow/frame/ground.hpp"
+#include "shadow/frame/irregular_map.hpp"
 #include "shadow/frame/map_stages.hpp"
 #include "shadow/frame/rivals.hpp"
 
@@ -194,11 +195,25 @@ constexpr Method as_rival(Method method, const RivalRow& row) {
     return method;
 }
 
+constexpr Method as_irregular_map(Method method) {
+    method.name = "irregular_map";
+    method.meaning = "the light is sampled at the visible points: only Z is quantized (after "
+                     "Johnson, Mark & Burns 2004)";
+    method.cannot = "no dither, no window of taps, no receiver's plane, no light with sectors";
+    method.form = Form::irregular_map;
+    method.may_run_out = true;
+    method.no_trace = "there is no map to look up; give --set form=post_process";
+    method.memory = irregular_map_bytes;
+    method.stages16 = as_built(irregular_map_stages<hw::Depth16>);
+    method.stages32 = as_built(irregular_map_stages<hw::Depth32>);
+    return method;
+}
+
 // The rows that are built.
 constexpr std::size_t rows_built =
     1 + (built(Feature::windows) ? 1 : 0) + (built(Feature::correct_form) ? 1 : 0) +
     (built(Feature::ap120b) ? 1 : 0) + (built(Feature::ground) ? 2 : 0) +
-    (built(Feature::rivals) ? rival_rows.size() : 0);
+    (built(Feature::rivals) ? 1 + rival_rows.size() : 0);
 
 constexpr std::array<Method, rows_built> build_table() {
     std::array<Method, rows_built> rows{};
@@ -209,6 +224,7 @@ constexpr std::array<Method, rows_built> build_table() {
     if constexpr (built(Feature::ap120b)) rows[n++] = array_method;
     if constexpr (built(Feature::ground)) rows[n++] = ground_method;
     if constexpr (built(Feature::ground)) rows[n++] = blob_method;
+    if constexpr (built(Feature::rivals)) rows[n++] = as_irregular_map(ground_method);
     if constexpr (built(Feature::rivals))
         for (const RivalRow& row : rival_rows) rows[n++] = as_rival(ground_method, row);
     return rows;

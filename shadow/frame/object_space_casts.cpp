@@ -89,7 +89,7 @@ Work by_splitting(SettingOf s, Shown shown, Carver& carver, Mask mask) {
         if (split(w.lines, w.casters, {}, w.lit_part, w.store, counts) != PieceStatus::ok ||
             !mask_of_pieces(w.lines, w.store, shown, w.shown, mask, mask_counts))
             return false;
-        result = work_of(counts, mask_counts, s.mesh, mask.size());
+        result = work_of(counts, mask_counts, w.store.pieces().size(), s.mesh, mask.size());
         return true;
     });
     return result;
@@ -109,7 +109,8 @@ Work by_perimeters(SettingOf s, Shown shown, Carver& carver, Mask mask) {
                 PieceStatus::ok ||
             !mask_of_pieces(w.lines, w.store, shown, w.shown, mask, mask_counts))
             return false;
-        result = work_of(order_counts, counts, mask_counts, s.mesh, mask.size());
+        result = work_of(order_counts, counts, mask_counts, w.store.pieces().size(), s.mesh,
+                         mask.size());
         return true;
     });
     return result;

@@ -70,7 +70,7 @@ enum class Reason : std::uint8_t {
     partly_affine,        // that of one of the views
     depth_alone,          // the light's view keeps Z alone
     shadow_drawn,         // on a ground the shadow is drawn, and no point is tested
-    no_map_kept,          // a rival asks polygons, and there is no map
+    no_map_kept,          // the method asks polygons or points, and there is no map
     no_shadow_in_view,    // every surface's shadow on the ground lies outside the picture
     nothing_there,        // a background pixel is lit whatever the test says
     dither_off,

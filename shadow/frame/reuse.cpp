@@ -125,7 +125,7 @@ bool same_rival(const FrameInputs& a, const FrameInputs& b) {
 // How a point is tested against light l, given both Z planes; the bias is in the matrix.
 bool same_test(const FrameInputs& a, const FrameInputs& b, std::size_t l) {
     if (method_of(b).on_ground()) return true;  // nothing is tested
-    if (!method_of(b).has_map()) return same_rival(a, b);
+    if (is_rival(b.settings.form)) return same_rival(a, b);
     const Settings &s = a.settings, &t = b.settings;
     const LightMatrices &m = a.matrices.lights[l], &n = b.matrices.lights[l];
     const bool bilinear = s.lookup == Lookup::bilinear;

@@ -96,6 +96,7 @@ void cast_rival(const FrameInputs& in, const FramePlan&, std::size_t l,
     counted.capacity = {carver.fits(), carver.used()};
     counted.method_once = work.once;
     counted.method_frame = work.frame;
+    counted.method_entries = work.entries;
     if (!carver.fits()) return;
     const auto none = static_cast<Depth>(in.settings.machine.background());
     PostProcessCounts& pixels = counted.post_process;

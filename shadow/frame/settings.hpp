@@ -22,10 +22,10 @@ namespace umbra78::shadow {
 
 // How a pixel comes to be in shadow: two forms of the test against a depth map; or a shadow that is
 // drawn on a scene's ground and has no map (hw/MACHINE.md, section 26): the scene's, flat, or an
-// ellipse beneath each object; or a rival of the depth map, exact on the scene's polygons
-// (shadow/rivals/RIVALS.md).
+// ellipse beneath each object; or a depth at each visible point's own place in the light's view; or
+// a rival of the depth map, exact on the scene's polygons (shadow/rivals/RIVALS.md).
 enum class Form : std::uint8_t {
-    post_process, correct, ground, blob,
+    post_process, correct, ground, blob, irregular_map,
     brute, volumes, bouknight_kelley, appel, splitting, perimeters, irregular,
 };
 constexpr bool is_on_ground(Form form) { return form == Form::ground || form == Form::blob; }
@@ -85,7 +85,8 @@ bool can_be_built(const Settings& settings);
 
 // Z codes a texel that are kept while the light's map is drawn; 0: the form has no map.
 constexpr int map_layers(const Settings& s) {
-    return is_on_ground(s.form) || is_rival(s.form) ? 0 : s.map_depth == MapDepth::midpoint ? 2 : 1;
+    if (is_on_ground(s.form) || is_rival(s.form) || s.form == Form::irregular_map) return 0;
+    return s.map_depth == MapDepth::midpoint ? 2 : 1;
 }
 
 }  // namespace umbra78::shadow

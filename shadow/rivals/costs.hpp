@@ -47,6 +47,10 @@ inline constexpr Operations compare{1, 0, 0, 0, 0, 0};
 inline constexpr Operations written_pixel{0, 0, 0, 0, 0, 1};
 // A visible point in the light's picture, and into its texel's list.
 inline constexpr Operations placed_sample = picture_place + Operations{2, 0, 0, 0, 0, 3};
+// A visible point through the machine's own transform unit, and its code compared; in perspective
+// with three quotients.
+inline constexpr Operations moved_point{10, 9, 9, 0, 0, 3};
+inline constexpr Operations divided_point{13, 12, 12, 3, 3 * 31, 3};
 inline constexpr Operations scanned_texel{1, 0, 0, 0, 0, 1};
 // The sign of three lines: a determinant of 3 x 3, of 32-bit words; with a meeting line, of 64.
 inline constexpr Operations line_sign{5, 9, 36, 0, 0, 0};
@@ -60,9 +64,11 @@ inline constexpr Operations masked_pixel{0, 0, 0, 0, 0, 2};   // the count read,
 
 }  // namespace cost
 
-// Once for a scene and a light; and for each frame of an observer.
+// Once for a scene and a light; and for each frame of an observer. And what the method adds to the
+// scene's entries: sides of volumes, links, borders, pieces or samples that it makes and keeps.
 struct Work {
     hw::Operations once{}, frame{};
+    std::uint64_t entries = 0;
 };
 
 // `pixels` of the frame, of which each has its mask written.
@@ -76,7 +82,8 @@ inline Work work_of(const VolumeCounts& c, std::uint64_t pixels) {
     return {c.facets * cost::facet_side + c.edges * cost::edge_multiplicity,
             pixels * cost::masked_pixel + c.start_tests * cost::asked_facet +
                 c.sides * cost::side_setup + c.rows * cost::side_row +
-                c.fills * cost::side_pixel + c.updates * cost::count_update};
+                c.fills * cost::side_pixel + c.updates * cost::count_update,
+            c.contour};
 }
 
 // The links are made anew for each observer, since they are of what is seen.
@@ -91,7 +98,8 @@ inline Work work_of(const LinkCounts& links, const ScanOutCounts& c, const Mesh&
             link_operations(links, mesh.facets.size()) + pixels * cost::written_pixel +
                 (c.edges + c.planes) * cost::projected_edge +
                 c.crossings * cost::listed_crossing + c.compares * cost::compare +
-                c.start_facets * cost::asked_facet};
+                c.start_facets * cost::asked_facet,
+            links.links};
 }
 
 inline Work work_of(const LinkCounts& links, const BorderCounts& borders, const AppelCounts& c,
@@ -101,7 +109,8 @@ inline Work work_of(const LinkCounts& links, const BorderCounts& borders, const 
             link_operations(links, mesh.facets.size()) + borders.signs * cost::plane_side +
                 borders.box_tests * cost::box_test + pixels * cost::written_pixel +
                 c.seed_facets * cost::asked_facet + c.borders * cost::projected_edge +
-                c.crossings * cost::listed_crossing + c.compares * cost::compare};
+                c.crossings * cost::listed_crossing + c.compares * cost::compare,
+            links.links + borders.edges + borders.facets};
 }
 
 inline Work work_of(const IrregularCounts& c, const Mesh& mesh, std::uint64_t pixels) {
@@ -109,7 +118,8 @@ inline Work work_of(const IrregularCounts& c, const Mesh& mesh, std::uint64_t pi
                 mesh.edges.size() * cost::plane,
             pixels * cost::written_pixel + c.samples * cost::placed_sample +
                 c.facet_texels * cost::scanned_texel + c.visits * cost::box_test +
-                c.facets_asked * cost::asked_facet};
+                c.facets_asked * cost::asked_facet,
+            c.samples};
 }
 
 // The pieces of all facets serve every observer.
@@ -121,22 +131,22 @@ inline hw::Operations piece_operations(const CasterCounts& casters, const CutCou
            cuts.cuts * cost::cut_piece;
 }
 
-inline Work work_of(const SplitCounts& c, const MaskCounts& mask, const Mesh& mesh,
-                    std::uint64_t pixels) {
+inline Work work_of(const SplitCounts& c, const MaskCounts& mask, std::uint64_t pieces,
+                    const Mesh& mesh, std::uint64_t pixels) {
     return {mesh.facets.size() * (cost::facet_side + cost::picture_facet) +
                 mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts),
-            pixels * cost::written_pixel + mask.rows * cost::piece_row};
+            pixels * cost::written_pixel + mask.rows * cost::piece_row, pieces};
 }
 
 // The casters' counts of perimeters have the order's in them.
 inline Work work_of(const OrderCounts& order, const PerimeterCounts& c, const MaskCounts& mask,
-                    const Mesh& mesh, std::uint64_t pixels) {
+                    std::uint64_t pieces, const Mesh& mesh, std::uint64_t pixels) {
     const std::uint64_t facets = mesh.facets.size();
     return {facets * (cost::facet_side + cost::picture_facet + 3 * cost::plane_side) +
                 facets * std::bit_width(facets) * cost::compare +
                 mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts) +
                 piece_operations({}, order.cuts),
-            pixels * cost::written_pixel + mask.rows * cost::piece_row};
+            pixels * cost::written_pixel + mask.rows * cost::piece_row, pieces};
 }
 
 }  // namespace umbra78::shadow::rivals

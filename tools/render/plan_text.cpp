@@ -74,7 +74,7 @@ std::string_view explain(Reason reason) {
         case Reason::partly_affine: return "W is 1 in the view that is not in perspective";
         case Reason::depth_alone: return "the light map holds only Z";
         case Reason::shadow_drawn: return "on a ground the shadow is drawn, and no pixel is tested";
-        case Reason::no_map_kept: return "the method asks polygons and keeps no depth map";
+        case Reason::no_map_kept: return "the method keeps no depth map";
         case Reason::no_shadow_in_view:
             return "every surface's shadow on the ground lies outside the picture";
         case Reason::nothing_there: return "nothing was drawn there, so nothing is in shadow";

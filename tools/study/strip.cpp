@@ -5,16 +5,24 @@
 namespace umbra78::tools::study {
 
 Strip side_by_side(std::span<const std::vector<std::uint8_t>> pictures, int size_px) {
+    return in_rows(pictures, size_px, static_cast<int>(pictures.size()));
+}
+
+Strip in_rows(std::span<const std::vector<std::uint8_t>> pictures, int size_px, int columns) {
     constexpr int gap = 8;
+    const int count = static_cast<int>(pictures.size());
+    const int rows = (count + columns - 1) / columns, pitch = size_px + gap;
     Strip strip;
-    strip.height = size_px;
-    strip.width = static_cast<int>(pictures.size()) * (size_px + gap) - gap;
+    strip.width = std::min(count, columns) * pitch - gap;
+    strip.height = rows * pitch - gap;
     strip.gray.assign(static_cast<std::size_t>(strip.width) * strip.height, 128);
-    for (std::size_t k = 0; k < pictures.size(); ++k)
-        for (int y = 0; y < size_px; ++y)
-            std::copy_n(pictures[k].begin() + static_cast<std::ptrdiff_t>(y) * size_px, size_px,
-                        strip.gray.begin() + static_cast<std::ptrdiff_t>(y) * strip.width +
-                            static_cast<std::ptrdiff_t>(k) * (size_px + gap));
+    for (int k = 0; k < count; ++k)
+        for (int y = 0; y < size_px; ++y) {
+            const std::ptrdiff_t top = (k / columns) * pitch + y, left = (k % columns) * pitch;
+            const auto from = pictures[static_cast<std::size_t>(k)].begin() +
+                              static_cast<std::ptrdiff_t>(y) * size_px;
+            std::copy_n(from, size_px, strip.gray.begin() + top * strip.width + left);
+        }
     return strip;
 }
 

@@ -1,4 +1,4 @@
-// Square pictures in a row, for a study's page.
+// Square pictures in a row or in several, for a study's page.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,7 @@ struct Strip {
     std::vector<std::uint8_t> gray;
 };
 Strip side_by_side(std::span<const std::vector<std::uint8_t>> pictures, int size_px);
+// In rows of `columns`; the last may have fewer.
+Strip in_rows(std::span<const std::vector<std::uint8_t>> pictures, int size_px, int columns);
 
 }  // namespace umbra78::tools::study

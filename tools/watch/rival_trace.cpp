@@ -2,30 +2,16 @@
 
 #include "shadow/frame/rivals.hpp"
 #include "shadow/rivals/volumes.hpp"
+#include "tools/render/aligned_room.hpp"
 #include "tools/scene/scene_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <memory>
-
 namespace umbra78::tools {
 namespace {
 
 namespace rivals = shadow::rivals;
-
-// Aligned as the core wants it.
-class Room {
-public:
-    explicit Room(std::size_t bytes) : lines_(bytes / shadow::frame_alignment + 1) {}
-    std::span<std::byte> bytes() { return std::as_writable_bytes(std::span(lines_)); }
-
-private:
-    struct alignas(shadow::frame_alignment) Line {
-        std::byte bytes[shadow::frame_alignment];
-    };
-    std::vector<Line> lines_;
-};
 
 void find_sides(const rivals::Setting& s, std::uint32_t on, Pixel at, RivalTrace& trace) {
     std::vector<rivals::ContourEdge> contour(rivals::find_contour(s, {}));
@@ -51,7 +37,7 @@ RivalTrace trace_rival(const RenderJob& job, Pixel at) {
     if (at.x < 0 || at.y < 0 || at.x >= size || at.y >= size)
         throw SceneError(fmt::format("pixel {},{} lies outside the picture, 0..{}", at.x, at.y,
                                      size - 1));
-    Room room(shadow::rival_bytes(job.inputs()));
+    AlignedRoom room(shadow::rival_bytes(job.inputs()));
     const shadow::RivalView view = shadow::rival_view(job.inputs(), 0, room.bytes());
     const rivals::Setting& s = view.setting;
     RivalTrace trace{.pixel = at, .state = "nothing seen", .facets = s.mesh.facets.size()};

@@ -65,7 +65,8 @@ TEST(Methods, TheSettingsChooseARow) {
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",
                                                   "ap120b", "ground", "blob", "brute",
                                                   "volumes", "bouknight_kelley", "appel",
-                                                  "splitting", "perimeters", "irregular"}));
+                                                  "splitting", "perimeters", "irregular",
+                                                  "irregular_map"}));
     Settings none;
     none.form = Form::correct;
     none.arithmetic = Arithmetic::ap120b;

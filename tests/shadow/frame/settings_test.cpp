@@ -241,7 +241,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
          {std::pair{"post_process", post_process}, {"correct", correct}, {"ground", ground},
           {"blob", blob}, {"brute", brute}, {"volumes", volumes}, {"appel", appel},
           {"bouknight_kelley", bouknight_kelley}, {"splitting", splitting},
-          {"perimeters", perimeters}, {"irregular", irregular}})
+          {"perimeters", perimeters}, {"irregular", irregular},
+          {"irregular_map", irregular_map}})
         all.push_back(named("form", name, form));
     all.push_back(named("arithmetic", "fixed", Arithmetic::fixed));
     all.push_back(named("arithmetic", "ap120b", Arithmetic::ap120b));
@@ -348,7 +349,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 10}},
+        {"form", {0, 11}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"sector_test", {0, 1}},

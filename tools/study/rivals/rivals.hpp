@@ -1,4 +1,6 @@
 // The parts of the study of rivals: Crow's classes and the depth map, side by side.
+//
+//   questions.cpp --cases--> rivals.cpp --measure.cpp, scan_out.cpp--> rows --report.cpp--> page
 #pragma once
 
 #include "tools/study/measures.hpp"
@@ -10,10 +12,40 @@
 
 namespace umbra78::tools::study {
 
-// What is varied: how finely curved surfaces are diced, or the picture's resolution.
-inline constexpr std::string_view by_dicing = "dicing", by_resolution = "resolution";
+// What is varied. The first two ask it of the study's scene, the others of scenes of their own;
+// the last three look into the first class (Bouknight & Kelley).
+namespace question {
+inline constexpr std::string_view dicing = "dicing", resolution = "resolution",
+                                  objects = "objects", lights = "lights", textbook = "textbook",
+                                  sectors = "sectors", edges = "edges", layers = "layers";
+}
 
-std::unique_ptr<Study> make_rivals_study();
+// The depth map as a method of the table: drawn from patches, as the paper's, or from facets; or
+// from patches at the visible points themselves (form irregular_map).
+inline constexpr std::string_view map_on_patches = "depth map, patches",
+                                  map_on_facets = "depth map, facets",
+                                  map_at_points = "depth map, at its points";
+
+std::vector<Case> rivals_cases(const Request&);
+// What distinguishes a case: "question", "method", "at", and what scan-out does.
+std::string_view extra_of(const Case&, std::string_view column);
+// The text of the scene that the case's question asks of; "" for the study's scene.
+std::string own_scene(const Case&);
+
+// side x side boxes on a floor, which together cover what one would, and up to eight lights.
+std::string boxes_scene(int side, int lights);
+// Sheets above each other between the light and a floor.
+std::string layers_scene(int sheets);
+// Things of all kinds on a floor that is the ground. A ramp's light is a lamp, and far away.
+std::string textbook_scene(double ramp_px);
+
+// A drawn frame's errors, cycles and memory.
+Row frame_row(const LoadedScene&, const Traced* truth);
+// What Bouknight & Kelley's second scan does, as the case's extra columns ask for it.
+Row scan_out_row(const LoadedScene&, const Case&);
+
+// Whether the method has no wrong pixel on its polygons, by definition.
+bool is_exact(std::string_view method);
 
 void report_rivals(const Request&, std::span<const Row>, Report&);
 
@@ -23,5 +55,7 @@ struct PowerLaw {
     double from, to;  // the range of x
 };
 PowerLaw power_law(std::span<const std::pair<double, double>> points);
+
+std::unique_ptr<Study> make_rivals_study();
 
 }  // namespace umbra78::tools::study

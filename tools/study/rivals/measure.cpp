@@ -1,0 +1,102 @@
+// What the study of rivals measures of a frame.
+#include "shadow/frame/methods.hpp"
+#include "shadow/rivals/dicing.hpp"
+#include "tools/render/report.hpp"
+#include "tools/study/rivals/rivals.hpp"
+#include "tools/truth/scene_truth.hpp"
+
+#include <cmath>
+
+namespace umbra78::tools::study {
+namespace {
+
+using shadow::Form;
+
+// Where a surface turns from the light: |cosine| below this, 11.5 degrees, which facets get wrong.
+constexpr double terminator_cosine = 0.2;
+
+// Facets that a rival has, before those without three vertices are left out.
+std::int64_t facets_of(const LoadedScene& scene) {
+    return static_cast<std::int64_t>(
+        shadow::rivals::diced_size(scene.surfaces(), scene.settings.dice_levels).facets);
+}
+
+// Pixels that differ from brute force on the same polygons, over all lights.
+std::int64_t wrong_on_polygons(const LoadedScene& scene, const RenderJob& job) {
+    shadow::Settings settings = scene.settings;
+    settings.form = Form::brute;
+    RenderJob brute(scene.view(), settings);
+    draw_mask(brute);
+    std::int64_t wrong = 0;
+    for (std::size_t l = 0; l < job.inputs().scene.light_count; ++l) {
+        const auto right = brute.bytes({Plane::mask, l}), mask = job.bytes({Plane::mask, l});
+        for (std::size_t at = 0; at < mask.size(); ++at) wrong += mask[at] != right[at] ? 1 : 0;
+    }
+    return wrong;
+}
+
+void set_wrong(Row& row, const SceneTruth& truth, const MachineMask& mask) {
+    std::int64_t terminator = 0, cast = 0, compared = 0;
+    const Truth& t = truth.truth;
+    for (std::size_t at = 0; at < t.visible.size(); ++at) {
+        if (!t.visible[at] || !mask.drawn(at) || truth.unlit_side[at]) continue;
+        ++compared;
+        if (mask.in_shadow(at) != (t.lit[at] != 0)) continue;
+        ++(std::abs(t.n_dot_l[at]) < terminator_cosine ? terminator : cast);
+    }
+    row.set("compared_px", compared);
+    row.set("wrong_cast_px", cast);
+    row.set("wrong_terminator_px", terminator);
+}
+
+void set_errors(Row& row, const RenderJob& job, const Traced& traced) {
+    const std::vector<std::uint8_t> visible = job.visible();
+    const MachineMask mask{job.bytes(Plane::mask), visible};
+    set_wrong(row, traced.truth, mask);
+    const ShadowReport errors = tools::report(traced.truth, mask, traced.band);
+    row.set("false_shadow", errors.all.false_shadow_rate());
+    row.set("false_light", errors.all.false_light_rate());
+    row.set("mask_error", errors.graded.mean_absolute());
+    row.set("edge_mean_px", errors.edge.mean);
+}
+
+// Over all lights; the observer's view is drawn once.
+void set_cycles(Row& row, const RenderJob& job) {
+    std::uint64_t once = 0, map = 0, test = 0, entries = 0;
+    const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
+    for (std::size_t l = 0; l < ledgers.size(); ++l) {
+        once += ledgers[l].scene.units.side_by_side();
+        map += shadow::FrameLedger::cycles(ledgers[l].light, true);
+        test += ledgers[l].transformation(true);
+        entries += job.counts().lights[l].method_entries;
+    }
+    const auto set = [&](const char* column, std::uint64_t n) {
+        row.set(column, static_cast<std::int64_t>(n));
+    };
+    set("once_cycles", once);
+    set("map_cycles", map);
+    set("test_cycles", test);
+    set("shadow_cycles", map + test);
+    set("observer_cycles", shadow::FrameLedger::cycles(ledgers.front().observer, true));
+    set("entries", entries);
+}
+
+}  // namespace
+
+Row frame_row(const LoadedScene& scene, const Traced* truth) {
+    RenderJob job(scene.view(), scene.settings);
+    draw_mask(job);
+    Row row;
+    row.set("facets", facets_of(scene));
+    row.set("mask_hash", hash_of(job.buffer(Plane::mask)));
+    if (shadow::is_rival(scene.settings.form))
+        row.set("wrong_on_polygons_px", wrong_on_polygons(scene, job));
+    if (truth != nullptr) set_errors(row, job, *truth);
+    set_cycles(row, job);
+    row.set("frame_bytes", static_cast<std::int64_t>(job.frame_bytes()));
+    const StageTimes& t = job.times();
+    row.set("shadow_host_ms", t.light_ms + t.post_process_ms);
+    return row;
+}
+
+}  // namespace umbra78::tools::study
