@@ -117,6 +117,9 @@ struct FrameInputs {
     Settings settings;
     FrameMatrices matrices;
     const Method* method = nullptr;  // null: the settings' own, method_of(settings)
+    // Whether anything but the shadow test reads the lights' maps. If nothing does, the map of a
+    // light in whose volume nothing visible lies is not drawn and holds the background alone.
+    bool shows_maps = true;
 };
 
 }  // namespace umbra78::shadow

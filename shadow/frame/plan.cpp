@@ -71,7 +71,10 @@ void plan_test(const FrameInputs& now, std::size_t l, FramePlan& plan) {
     }
     const bool no_map = reach.outside_light == all - (has_map ? 0 : 1);  // the ground casts nothing
     const Reason nothing_cast = has_map ? no_caster : no_shadow_in_view;
-    plan.at(Omission::light_map, l) = no_map ? left_out(nothing_cast) : needed(may_shadow);
+    const bool unread = has_map && !now.shows_maps && !reach.into_light;
+    plan.at(Omission::light_map, l) = no_map   ? left_out(nothing_cast)
+                                      : unread ? left_out(outside_light)
+                                               : needed(may_shadow);
     // Equal words draw equal Z, whatever the views that they come from.
     const bool same = now.matrices.lights[l].world_to_light == now.matrices.world_to_observer;
     const bool nearest =
@@ -117,6 +120,15 @@ void plan_reuse(const FrameInputs& now, const FrameInputs* before, FramePlan& pl
     if constexpr (hw::built(hw::Feature::reuse)) {
         if (before != nullptr) same = find_reuse(*before, now);
     }
+    // A map that nothing read was not drawn.
+    if (before != nullptr && !before->shows_maps)
+        for (std::size_t l = 0; l < now.scene.light_count; ++l) {
+            if (!same.light_map[l] || plan.at(Omission::light_map, l).reason == outside_light)
+                continue;
+            FramePlan was;
+            plan_test(*before, l, was);
+            same.light_map[l] = was.at(Omission::light_map, l).reason != outside_light;
+        }
     const auto decision = [&](bool kept) {
         return kept ? left_out(unchanged)
                     : needed(before != nullptr ? changed : no_frame_before);

@@ -4,7 +4,8 @@
 // every filter. For a given scene much of that changes nothing. A plan is made from the scene, the
 // settings, the loaded matrices and, if there is one, the frame before. It says what is left out.
 // Leaving work out never changes a bit of any buffer: what would change bits is a setting of the
-// machine and not an omission.
+// machine and not an omission. The one exception is asked for (FrameInputs::shows_maps): a map
+// that nothing reads is left empty.
 //
 // FramePlan{} leaves out nothing; the tests draw frames both ways and compare all buffers. The
 // cycles that an omission saves are in shadow/frame/costs.hpp, its names in tools/render.

@@ -24,15 +24,55 @@ Work by_brute(SettingOf s, Shown shown, Carver& carver, Mask mask) {
     return work_of(counts, s.mesh, mask.size());
 }
 
-Work by_volumes(SettingOf s, Shown shown, Carver& carver, Mask mask) {
+// Class 3: count(contour, surfaces, work) writes a number a pixel, which is 0 where it is lit, and
+// what it took. False if its memory is too small.
+template <class Count>
+Work by_counts(SettingOf s, Shown shown, Carver& carver, Mask mask, Count&& count) {
     const auto contour = carver.take<ContourEdge>(find_contour(s, {}));
     const auto surfaces = carver.take<std::int32_t>(shown.size());
     if (!carver.fits()) return {};
     find_contour(s, contour);
-    VolumeCounts counts;
-    count_volumes(s, shown, contour, surfaces, counts);
+    Work work;
+    if (!count(contour, surfaces, work)) return {};
     mask_of_counts(s, shown, surfaces, mask);
-    return work_of(counts, mask.size());
+    return work;
+}
+
+using Contour = std::span<const ContourEdge>;
+using Surfaces = std::span<std::int32_t>;
+
+Work by_volumes(SettingOf s, Shown shown, Carver& carver, Mask mask) {
+    return by_counts(s, shown, carver, mask, [&](Contour contour, Surfaces surfaces, Work& work) {
+        VolumeCounts counts;
+        count_volumes(s, shown, contour, surfaces, counts);
+        work = work_of(counts, mask.size());
+        return true;
+    });
+}
+
+Work by_order(SettingOf s, Shown shown, Carver& carver, Mask mask) {
+    return by_counts(s, shown, carver, mask, [&](Contour contour, Surfaces surfaces, Work& work) {
+        OrderedCounts counts;
+        const bool done = built_from(carver, [&](std::span<std::byte> memory, std::size_t& needed) {
+            const bool fits = order_volumes(s, shown, contour, memory, surfaces, counts);
+            needed = counts.bytes;
+            return fits;
+        });
+        work = work_of(counts, mask.size());
+        return done;
+    });
+}
+
+Work by_stencil(SettingOf s, Shown shown, const DepthScale& scale, StencilPass pass,
+                Carver& carver, Mask mask) {
+    return by_counts(s, shown, carver, mask, [&](Contour contour, Surfaces counters, Work& work) {
+        const auto codes = carver.take<std::uint32_t>(shown.size());
+        if (!carver.fits()) return false;
+        StencilCounts counts;
+        count_stencil(s, shown, contour, scale, {pass}, {codes, counters}, counts);
+        work = work_of(counts, mask.size());
+        return true;
+    });
 }
 
 Work by_scan_out(SettingOf s, Shown shown, Carver& carver, Mask mask) {
@@ -80,9 +120,15 @@ Work by_irregular(SettingOf s, Shown shown, Carver& carver, Mask mask) {
 }  // namespace
 
 Work cast_by(Form form, const rivals::Setting& setting, std::span<const std::uint32_t> shown,
-             Carver& carver, std::span<std::uint8_t> mask) {
+             const DepthScale& scale, Carver& carver, std::span<std::uint8_t> mask) {
+    const auto by_passes = [&](StencilPass pass) {
+        return by_stencil(setting, shown, scale, pass, carver, mask);
+    };
     switch (form) {
         case Form::volumes: return by_volumes(setting, shown, carver, mask);
+        case Form::ordered_volumes: return by_order(setting, shown, carver, mask);
+        case Form::stencil_pass: return by_passes(StencilPass::z_pass);
+        case Form::stencil_fail: return by_passes(StencilPass::z_fail);
         case Form::bouknight_kelley: return by_scan_out(setting, shown, carver, mask);
         case Form::appel: return by_appel(setting, shown, carver, mask);
         case Form::splitting: return by_splitting(setting, shown, carver, mask);

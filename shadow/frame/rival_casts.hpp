@@ -11,10 +11,10 @@
 namespace umbra78::shadow {
 
 // Writes the mask and returns what it took. If the carver does not hold it afterwards, the mask is
-// not complete, and used() is what would have let it go on.
+// not complete, and used() is what would have let it go on. `scale` is of the observer's store.
 rivals::Work cast_by(Form form, const rivals::Setting& setting,
-                     std::span<const std::uint32_t> shown, Carver& carver,
-                     std::span<std::uint8_t> mask);
+                     std::span<const std::uint32_t> shown, const rivals::DepthScale& scale,
+                     Carver& carver, std::span<std::uint8_t> mask);
 
 // What takes its memory from the rest and says how much it needs: build(memory, needed).
 template <class Build>

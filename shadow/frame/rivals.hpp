@@ -18,10 +18,17 @@ namespace umbra78::shadow {
 struct RivalRow {
     Form form;
     std::string_view name, meaning;
+    bool is_exact = true;  // its mask is that of the polygons, in every pixel
 };
 inline constexpr std::array rival_rows{
     RivalRow{Form::brute, "brute", "every facet is asked whether it is before the point"},
     RivalRow{Form::volumes, "volumes", "shadow volumes are counted (Crow 1977, third class)"},
+    RivalRow{Form::ordered_volumes, "ordered_volumes",
+             "their sides are kept in order of depth along scan lines, as Crow has it"},
+    RivalRow{Form::stencil_pass, "stencil_pass",
+             "they are counted in the frame store, by Z codes, before the point (z-pass)", false},
+    RivalRow{Form::stencil_fail, "stencil_fail",
+             "the same, from the point on, with the volumes' ends (z-fail)", false},
     RivalRow{Form::bouknight_kelley, "bouknight_kelley",
              "facets' shadows are found while the picture is scanned out (first class)"},
     RivalRow{Form::appel, "appel", "the number of surfaces before the points of a scan line"},
@@ -30,6 +37,12 @@ inline constexpr std::array rival_rows{
              "facets from the light on are clipped by the outlines before them (second class)"},
     RivalRow{Form::irregular, "irregular",
              "the alias-free map: the visible points are its texels"}};
+
+constexpr bool is_exact(Form form) {
+    for (const RivalRow& row : rival_rows)
+        if (row.form == form) return row.is_exact;
+    return false;
+}
 
 // Whether the scene can be had in rivals' words: it is held, and not too wide.
 FrameStatus check_rival(const Scene& scene, const Settings& settings);

@@ -26,7 +26,8 @@ namespace umbra78::shadow {
 // a rival of the depth map, exact on the scene's polygons (shadow/rivals/RIVALS.md).
 enum class Form : std::uint8_t {
     post_process, correct, ground, blob, irregular_map,
-    brute, volumes, bouknight_kelley, appel, splitting, perimeters, irregular,
+    brute, volumes, ordered_volumes, stencil_pass, stencil_fail, bouknight_kelley, appel, splitting,
+    perimeters, irregular,
 };
 constexpr bool is_on_ground(Form form) { return form == Form::ground || form == Form::blob; }
 constexpr bool is_rival(Form form) { return form >= Form::brute; }

@@ -9,8 +9,10 @@
 #include "shadow/rivals/appel.hpp"
 #include "shadow/rivals/bouknight_kelley.hpp"
 #include "shadow/rivals/irregular.hpp"
+#include "shadow/rivals/ordered_volumes.hpp"
 #include "shadow/rivals/perimeters.hpp"
 #include "shadow/rivals/split.hpp"
+#include "shadow/rivals/stencil.hpp"
 #include "shadow/rivals/volumes.hpp"
 
 #include <bit>
@@ -34,6 +36,8 @@ inline constexpr Operations side_setup = raster::cost::triangle_setup;
 inline constexpr Operations side_row = raster::cost::triangle_line;
 inline constexpr Operations side_pixel{3, 0, 0, 0, 0, 1};     // its depth steps; the compare
 inline constexpr Operations count_update{1, 0, 0, 0, 0, 2};
+// Which of two planes is nearer at a pixel: the values of both, each times the other's at the eye.
+inline constexpr Operations depth_order{5, 6, 20, 0, 0, 0};
 // A vertex in the light's picture: four products of a word and a direction.
 inline constexpr Operations picture_place{2, 4, 4, 0, 0, 0};
 inline constexpr Operations picture_facet = 3 * picture_place + Operations{12, 0, 0, 0, 0, 0};
@@ -78,12 +82,35 @@ inline Work work_of(const BruteCounts& c, const Mesh& mesh, std::uint64_t pixels
                 c.facets * cost::asked_facet};
 }
 
+// `count` of side_setups: what is drawn of volumes.
+inline hw::Operations drawn_volumes(std::uint64_t count, std::uint64_t rows, std::uint64_t fills,
+                                    std::uint64_t updates) {
+    return count * cost::side_setup + rows * cost::side_row + fills * cost::side_pixel +
+           updates * cost::count_update;
+}
+
 inline Work work_of(const VolumeCounts& c, std::uint64_t pixels) {
     return {c.facets * cost::facet_side + c.edges * cost::edge_multiplicity,
             pixels * cost::masked_pixel + c.start_tests * cost::asked_facet +
-                c.sides * cost::side_setup + c.rows * cost::side_row +
-                c.fills * cost::side_pixel + c.updates * cost::count_update,
+                drawn_volumes(c.sides, c.rows, c.fills, c.updates),
             c.contour};
+}
+
+inline Work work_of(const OrderedCounts& c, std::uint64_t pixels) {
+    return {c.facets * cost::facet_side + c.edges * cost::edge_multiplicity,
+            pixels * cost::masked_pixel + c.start_tests * cost::asked_facet +
+                drawn_volumes(c.sides, c.rows, 0, 0) + c.sorts * cost::compare +
+                c.inserts * cost::listed_crossing +
+                (c.compares + c.asked + c.foreseen) * cost::depth_order +
+                c.crossings * cost::projected_edge,
+            c.contour};
+}
+
+inline Work work_of(const StencilCounts& c, std::uint64_t pixels) {
+    return {c.facets * cost::facet_side + c.edges * cost::edge_multiplicity,
+            pixels * cost::masked_pixel + (c.start_tests + c.end_tests) * cost::asked_facet +
+                drawn_volumes(c.sides + c.near_ends + c.far_ends, c.rows, c.fills, c.updates),
+            c.contour + c.near_ends + c.far_ends};
 }
 
 // The links are made anew for each observer, since they are of what is seen.

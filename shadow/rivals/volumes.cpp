@@ -42,27 +42,6 @@ bool inside_toward(const Setting& s, std::size_t f, std::uint32_t on, std::int32
     return inside;
 }
 
-void count_at_eye(const Setting& s, std::span<const std::uint32_t> shown,
-                  std::span<std::int32_t> surfaces, VolumeCounts& counts) {
-    std::int32_t all = 0;
-    for (std::size_t f = 0; f < s.mesh.facets.size(); ++f)
-        all += eye_inside(s, f) == EyeInside::yes ? 1 : 0;
-    counts.start_tests += s.mesh.facets.size();
-    for (std::size_t at = 0; at < surfaces.size(); ++at)
-        surfaces[at] = shown[at] == nothing_seen ? 0 : all;
-    for (std::size_t f = 0; f < s.mesh.facets.size(); ++f) {
-        if (eye_inside(s, f) != EyeInside::on_border) continue;
-        std::size_t at = 0;
-        for (int row = 0; row < s.space.size_px(); ++row)
-            for (int column = 0; column < s.space.size_px(); ++column, ++at)
-                if (shown[at] != nothing_seen) {
-                    ++counts.start_tests;
-                    surfaces[at] += inside_toward(s, f, shown[at], s.space.centre(column),
-                                                  s.space.centre(row)) ? 1 : 0;
-                }
-    }
-}
-
 }  // namespace
 
 std::int32_t multiplicity(const Setting& setting, const Edge& edge) {
@@ -101,6 +80,28 @@ Run ShadowSide::covered_run(const Space& space, int row) const {
     return run;
 }
 
+std::uint64_t count_at_eye(const Setting& s, std::span<const std::uint32_t> shown,
+                           std::span<std::int32_t> surfaces) {
+    std::int32_t all = 0;
+    for (std::size_t f = 0; f < s.mesh.facets.size(); ++f)
+        all += eye_inside(s, f) == EyeInside::yes ? 1 : 0;
+    std::uint64_t asked = s.mesh.facets.size();
+    for (std::size_t at = 0; at < surfaces.size(); ++at)
+        surfaces[at] = shown[at] == nothing_seen ? 0 : all;
+    for (std::size_t f = 0; f < s.mesh.facets.size(); ++f) {
+        if (eye_inside(s, f) != EyeInside::on_border) continue;
+        std::size_t at = 0;
+        for (int row = 0; row < s.space.size_px(); ++row)
+            for (int column = 0; column < s.space.size_px(); ++column, ++at)
+                if (shown[at] != nothing_seen) {
+                    ++asked;
+                    surfaces[at] += inside_toward(s, f, shown[at], s.space.centre(column),
+                                                  s.space.centre(row)) ? 1 : 0;
+                }
+    }
+    return asked;
+}
+
 void count_volumes(const Setting& setting, std::span<const std::uint32_t> shown,
                    std::span<const ContourEdge> contour, std::span<std::int32_t> surfaces,
                    VolumeCounts& counts) {
@@ -108,7 +109,7 @@ void count_volumes(const Setting& setting, std::span<const std::uint32_t> shown,
     counts.facets += setting.mesh.facets.size();
     counts.edges += setting.mesh.edges.size();
     counts.contour += contour.size();
-    count_at_eye(setting, shown, surfaces, counts);
+    counts.start_tests += count_at_eye(setting, shown, surfaces);
     for (const ContourEdge& edge : contour) {
         const ShadowSide side(setting, edge);
         if (!side.is_seen()) continue;

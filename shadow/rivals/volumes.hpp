@@ -15,6 +15,8 @@
 // consistent (general form: Kim, Kim & Turk 2008). The sum does not depend on the order in which
 // the sides are met, so it is taken a side at a time.
 //
+// Crow's own order and the frame store's count are ordered_volumes.hpp and stencil.hpp.
+//
 // If the eye is in a volume the count begins there. Of the volumes on whose border the eye lies
 // exactly, that is decided for each pixel, as for a point of its ray just before the eye.
 #pragma once
@@ -43,6 +45,7 @@ public:
 
     // Seen edge-on it hides nothing and is never crossed.
     bool is_seen() const { return eye_side_ != 0; }
+    const SeenPlane& plane() const { return plane_; }
     // The columns of a row that it covers.
     Run covered_run(const Space& space, int row) const;
     // What crossing it adds, to points of a facet's plane at which `crossed` has crossed_sign().
@@ -68,6 +71,11 @@ struct VolumeCounts {
     std::uint64_t updates = 0;            // of the counter
     std::uint64_t start_tests = 0;        // of facets, for the count at the eye
 };
+
+// Writes in how many volumes the eye is, as each pixel's ray leaves it; 0 where nothing is seen.
+// Returns how many facets were asked.
+std::uint64_t count_at_eye(const Setting& setting, std::span<const std::uint32_t> shown,
+                           std::span<std::int32_t> surfaces);
 
 // `surfaces`: how many lie between each pixel's point and the light; 0 where nothing is seen. Has
 // space.pixels() numbers. A pixel is dark if the number is not 0 or its facet is attached.

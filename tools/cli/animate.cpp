@@ -175,7 +175,8 @@ void Sequence::draw(int frame) {
         if (job_) {
             job_->advance(scene_->view(), scene_->settings);
         } else {
-            job_ = std::make_unique<RenderJob>(scene_->view(), scene_->settings);
+            job_ = std::make_unique<RenderJob>(scene_->view(), scene_->settings,
+                                                Maps::for_shadows_alone);
         }
         drawn_ = std::move(scene_);
         job_->render();

@@ -34,7 +34,8 @@ struct Planned {
     Warnings warnings;
 
     explicit Planned(const Options& options)
-        : scene(load_scene(options.scene, options.set)), job(scene.view(), scene.settings) {
+        : scene(load_scene(options.scene, options.set)),
+          job(scene.view(), scene.settings, Maps::for_shadows_alone) {
         const std::string_view refusal = shadow::method_of(job.inputs()).no_plan_cost;
         if (!refusal.empty()) throw SceneError(std::string(refusal));
         job.render();
@@ -217,7 +218,9 @@ void add_plan_command(CLI::App& app, int&) {
     command.scene(options->scene);
     command.set(options->set);
     command.json(options->json);
-    command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"
+    command.footer("Settings are those of umbra78 render --help. The plan is that of a frame whose "
+                   "depth maps nothing but\nthe shadow test reads, as in umbra78 animate; umbra78 "
+                   "render shows them and so draws each.\n\nExample:\n"
                    "  umbra78 plan tools/scenes/figures.toml --set dither=none");
     command.runs([options] { run(*options); });
 }

@@ -23,7 +23,8 @@ double timed_ms(Stage stage) {
 
 }  // namespace
 
-RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings) {
+RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings, Maps maps) {
+    inputs_.shows_maps = maps == Maps::shown;
     load({scene, settings, {}}, nullptr);
     if (settings.machine.z_bits <= 16) {
         allocate<hw::Depth16>();
@@ -89,6 +90,7 @@ void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings&
 
 // Matrices and plan are made aside and taken over last, so that a refusal changes nothing.
 void RenderJob::load(shadow::FrameInputs next, const shadow::FrameInputs* before) {
+    next.shows_maps = inputs_.shows_maps;
     auto status = shadow::FrameStatus::ok;
     shadow::FramePlan plan;
     const double ms = timed_ms([&] {

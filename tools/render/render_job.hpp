@@ -63,11 +63,14 @@ struct PlaneOf {
 // "mask", of the second light "mask2", in a channel of a coloured frame "direct2_red".
 std::string name_of(const PlaneOf&, bool coloured = false);
 
+// Whether the lights' maps are read by more than the shadow test (FrameInputs::shows_maps).
+enum class Maps : std::uint8_t { shown, for_shadows_alone };
+
 class RenderJob {
 public:
     // The scene's spans must live as long as the job. Throws SceneError if the frame's matrices
     // do not fit.
-    RenderJob(const shadow::Scene&, const shadow::Settings&);
+    RenderJob(const shadow::Scene&, const shadow::Settings&, Maps = Maps::shown);
 
     // Other settings for the stages that follow. Throws SceneError, and leaves the job as it was,
     // if xy_bits or z_bits differ from the frame's or the matrices do not fit.

@@ -64,8 +64,10 @@ TEST(Methods, TheSettingsChooseARow) {
     }
     EXPECT_EQ(names, (std::set<std::string_view>{"post_process", "percentage", "correct",
                                                   "ap120b", "ground", "blob", "brute",
-                                                  "volumes", "bouknight_kelley", "appel",
-                                                  "splitting", "perimeters", "irregular",
+                                                  "volumes", "ordered_volumes",
+                                                  "stencil_pass", "stencil_fail",
+                                                  "bouknight_kelley", "appel", "splitting",
+                                                  "perimeters", "irregular",
                                                   "irregular_map"}));
     Settings none;
     none.form = Form::correct;

@@ -240,6 +240,8 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
     for (const auto& [name, form] :
          {std::pair{"post_process", post_process}, {"correct", correct}, {"ground", ground},
           {"blob", blob}, {"brute", brute}, {"volumes", volumes}, {"appel", appel},
+          {"ordered_volumes", ordered_volumes}, {"stencil_pass", stencil_pass},
+          {"stencil_fail", stencil_fail},
           {"bouknight_kelley", bouknight_kelley}, {"splitting", splitting},
           {"perimeters", perimeters}, {"irregular", irregular},
           {"irregular_map", irregular_map}})
@@ -349,7 +351,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"shading", {0, 3}},
         {"composite", {0, 1}},
         {"density", {0, 256}},
-        {"form", {0, 11}},
+        {"form", {0, 14}},
         {"arithmetic", {0, 1}},
         {"array_memory", {0, 1}},
         {"sector_test", {0, 1}},

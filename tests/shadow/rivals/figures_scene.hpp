@@ -11,10 +11,11 @@
 namespace umbra78::shadow::rivals::test {
 
 // The figures' scene with its patches diced into 2^levels x 2^levels cells. If `distance` is not 0
-// the observer is 8 world units away and the light, at a place, that many.
+// the observer is 8 world units away and the light, at a place, that many. Angles in degrees.
 class FiguresScene {
 public:
-    explicit FiguresScene(int levels, int xy_bits = 9, int azimuth = -100, int distance = 0) {
+    explicit FiguresScene(int levels, int xy_bits = 9, int azimuth = -100, int distance = 0,
+                          int elevation = 0) {
         constexpr int world_one = 65536;
         std::vector<raster::Patch> patches(4 * 32);
         for (std::size_t i = 0; i < 4; ++i)
@@ -25,7 +26,7 @@ public:
         observer.axes = raster::axes_from_angles(0, 0);
         observer.extent = paper_scene::extent_q16;
         raster::View light = observer;
-        light.axes = raster::axes_from_angles(azimuth * world_one, 0);
+        light.axes = raster::axes_from_angles(azimuth * world_one, elevation * world_one);
         if (distance != 0) {
             observer.projection = light.projection = raster::Projection::perspective;
             observer.distance = 8 * world_one;
