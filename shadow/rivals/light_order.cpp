@@ -226,4 +226,12 @@ OrderStatus LightOrder::make(LightLines& lines, Casters& casters, OrderCounts& c
     return OrderStatus::ok;
 }
 
+void LightOrder::rank_facets(std::span<std::uint32_t> ranks) const {
+    std::fill(ranks.begin(), ranks.end(), none);
+    for (std::uint32_t place = 0; place < placed_; ++place) {
+        std::uint32_t& rank = ranks[fragments_[order_[place]].facet];
+        rank = std::min(rank, place);
+    }
+}
+
 }  // namespace umbra78::shadow::rivals

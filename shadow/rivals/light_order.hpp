@@ -63,6 +63,8 @@ public:
 
     // Fragments, the nearest first.
     std::span<const std::uint32_t> order() const { return order_.first(placed_); }
+    // Of each facet the place of its nearest fragment in the order; none if it was not placed.
+    void rank_facets(std::span<std::uint32_t> ranks) const;
     Fragment& at(std::uint32_t fragment) { return fragments_[fragment]; }
     std::uint32_t first_of(std::uint32_t facet) const { return heads_[facet]; }
     std::span<const LineId> lines(const Fragment& f) const {

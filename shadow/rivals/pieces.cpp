@@ -106,9 +106,11 @@ bool PieceStore::finish() {
 
 namespace {
 
-void fill_piece(const LightLines& lines, const Piece& piece, std::span<const ShownLine> borders,
-                std::span<const std::uint32_t> shown, std::span<std::uint8_t> mask,
-                MaskCounts& counts) {
+// visit(pixel) of each that shows the piece's facet and is in the piece.
+template <class Visit>
+void for_pixels_of(const LightLines& lines, const Piece& piece,
+                   std::span<const ShownLine> borders, std::span<const std::uint32_t> shown,
+                   MaskCounts& counts, Visit&& visit) {
     const Setting& setting = lines.setting();
     const Space& space = setting.space;
     const Run rows = rows_of(setting, piece.facet);
@@ -123,9 +125,30 @@ void fill_piece(const LightLines& lines, const Piece& piece, std::span<const Sho
             const std::size_t at = start + static_cast<std::size_t>(column);
             if (shown[at] != piece.facet) continue;
             ++counts.pixels;
-            mask[at] = lit;
+            visit(at);
         }
     }
+}
+
+// visit(piece's number, pixel) for the pieces that `wanted` takes, of facets that may be lit.
+template <class Wanted, class Visit>
+bool for_pixels(const LightLines& lines, const PieceStore& pieces,
+                std::span<const std::uint32_t> shown, std::span<ShownLine> room,
+                MaskCounts& counts, Wanted&& wanted, Visit&& visit) {
+    if (room.size() < pieces.longest()) return false;
+    const Setting& setting = lines.setting();
+    const auto all = pieces.pieces();
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const Piece& piece = all[n];
+        if (!wanted(piece) || setting.eye.sides[piece.facet] == 0 ||
+            setting.attached(piece.facet))
+            continue;
+        const auto ids = pieces.lines(piece);
+        for (std::size_t k = 0; k < ids.size(); ++k) room[k] = lines.shown(piece.facet, ids[k]);
+        for_pixels_of(lines, piece, room.first(ids.size()), shown, counts,
+                      [&](std::size_t at) { visit(n, at); });
+    }
+    return true;
 }
 
 }  // namespace
@@ -133,18 +156,21 @@ void fill_piece(const LightLines& lines, const Piece& piece, std::span<const Sho
 bool mask_of_pieces(const LightLines& lines, const PieceStore& pieces,
                     std::span<const std::uint32_t> shown, std::span<ShownLine> room,
                     std::span<std::uint8_t> mask, MaskCounts& counts) {
-    if (room.size() < pieces.longest()) return false;
-    const Setting& setting = lines.setting();
     for (std::size_t at = 0; at < mask.size(); ++at)
         mask[at] = shown[at] == nothing_seen ? lit : dark;
-    for (const Piece& piece : pieces.pieces()) {
-        if (!piece.is_lit) continue;
-        if (setting.eye.sides[piece.facet] == 0 || setting.attached(piece.facet)) continue;
-        const auto ids = pieces.lines(piece);
-        for (std::size_t k = 0; k < ids.size(); ++k) room[k] = lines.shown(piece.facet, ids[k]);
-        fill_piece(lines, piece, room.first(ids.size()), shown, mask, counts);
-    }
-    return true;
+    return for_pixels(lines, pieces, shown, room, counts,
+                      [](const Piece& p) { return p.is_lit; },
+                      [&](std::size_t, std::size_t at) { mask[at] = lit; });
+}
+
+bool pieces_of_pixels(const LightLines& lines, const PieceStore& pieces,
+                      std::span<const std::uint32_t> shown, std::span<ShownLine> room,
+                      std::span<std::uint32_t> out, MaskCounts& counts) {
+    std::fill(out.begin(), out.end(), no_piece);
+    return for_pixels(lines, pieces, shown, room, counts, [](const Piece&) { return true; },
+                      [&](std::size_t n, std::size_t at) {
+                          out[at] = static_cast<std::uint32_t>(n);
+                      });
 }
 
 }  // namespace umbra78::shadow::rivals

@@ -96,7 +96,7 @@ private:
 };
 
 struct MaskCounts {
-    std::uint64_t pieces = 0;  // lit ones, of facets that are seen and not attached
+    std::uint64_t pieces = 0;  // that were drawn, of facets that are seen and not attached
     std::uint64_t rows = 0;    // of their facets
     std::uint64_t pixels = 0;  // that are in one: each once, as pieces are a partition
 };
@@ -107,5 +107,12 @@ struct MaskCounts {
 bool mask_of_pieces(const LightLines& lines, const PieceStore& pieces,
                     std::span<const std::uint32_t> shown, std::span<ShownLine> room,
                     std::span<std::uint8_t> mask, MaskCounts& counts);
+
+// For a picture of the pieces: of each pixel the number of its piece in pieces(), lit or dark, or
+// no_piece where it shows nothing, or a facet that is turned from the light or was not cut.
+inline constexpr std::uint32_t no_piece = UINT32_MAX;
+bool pieces_of_pixels(const LightLines& lines, const PieceStore& pieces,
+                      std::span<const std::uint32_t> shown, std::span<ShownLine> room,
+                      std::span<std::uint32_t> out, MaskCounts& counts);
 
 }  // namespace umbra78::shadow::rivals

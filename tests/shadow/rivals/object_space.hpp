@@ -79,6 +79,23 @@ public:
                        "a test's room for a piece's lines");
         return mask;
     }
+    // How often a pixel was found in a piece; each pixel's own is lit as `mask` has it.
+    std::uint64_t pixels_in_pieces() {
+        const auto mask = this->mask();
+        std::vector<std::uint32_t> numbers(shown_.size());
+        std::vector<ShownLine> room(store_.longest());
+        MaskCounts counts;
+        fixed::require(pieces_of_pixels(lines_, store_, shown_, room, numbers, counts),
+                       "a test's room for a piece's lines");
+        for (std::size_t at = 0; at < mask.size(); ++at) {
+            const bool has_piece = numbers[at] != no_piece;
+            EXPECT_EQ(has_piece, shown_[at] != nothing_seen && !setting_.attached(shown_[at]));
+            if (!has_piece) continue;
+            EXPECT_EQ(store_.pieces()[numbers[at]].is_lit, mask[at] == lit) << "pixel " << at;
+            EXPECT_EQ(store_.pieces()[numbers[at]].facet, shown_[at]) << "pixel " << at;
+        }
+        return counts.pixels;
+    }
     // Through the grid, which fuzz_test compares with all facets.
     std::vector<std::uint8_t> brute_mask(BruteCounts& counts) const {
         std::vector<std::uint8_t> mask(shown_.size());

@@ -71,6 +71,7 @@ inline void check_split(const FiguresScene& scene, int k, bool only_seen) {
     EXPECT_EQ(split_row(o, scene.setting(), k), published_row(table, k)) << table;
     BruteCounts counts;
     EXPECT_EQ(o.mask(), o.brute_mask(counts)) << table << ", k " << k;
+    EXPECT_EQ(o.pixels_in_pieces(), counts.points);  // each is in one piece
     expect_partition(o, scene.shown(), 97);
 }
 
@@ -84,6 +85,7 @@ inline void check_perimeters(const FiguresScene& scene, int k, bool in_pairs) {
     EXPECT_EQ(o.order_counts().hides, k == 16 ? 8u : 0u);
     BruteCounts counts;
     EXPECT_EQ(o.mask(), o.brute_mask(counts)) << "k " << k;
+    EXPECT_EQ(o.pixels_in_pieces(), counts.points);  // each is in one piece
     expect_partition(o, scene.shown(), 97);
 }
 

@@ -46,6 +46,29 @@ TEST(LightOrder, PutsNothingAfterWhatItHides) {
     EXPECT_GT(cycles, enough(500));
 }
 
+// The plates of a stack come one after the other, and what has no fragment has no rank.
+TEST(LightOrder, RanksFacetsByTheirNearestFragment) {
+    Polygons p = floor_under_light("stack");
+    for (const std::int32_t above : {64, 192, 128}) {
+        p.quad(casting(-8, -8, above), casting(8, -8, above), casting(8, 8, above),
+               casting(-8, 8, above));
+    }
+    p.triangle(casting(-12, 1, -200), casting(12, 1, -200), casting(0, 1, 200));  // edge-on
+    const Scene scene(p);
+    ObjectSpace o(scene.setting(), scene.shown());
+    ASSERT_EQ(o.sort_from_light(), OrderStatus::ok);
+    std::vector<std::uint32_t> ranks(scene.setting().mesh.facets.size());
+    o.order().rank_facets(ranks);
+    const auto pair = [&](std::size_t f) {
+        return std::pair(std::min(ranks[f], ranks[f + 1]), std::max(ranks[f], ranks[f + 1]));
+    };
+    EXPECT_EQ(pair(4), std::pair(0u, 1u));
+    EXPECT_EQ(pair(6), std::pair(2u, 3u));
+    EXPECT_EQ(pair(2), std::pair(4u, 5u));
+    EXPECT_EQ(pair(0), std::pair(6u, 7u));
+    EXPECT_EQ(ranks[8], LightOrder::none);
+}
+
 TEST(Perimeters, EqualBruteForce) {
     std::uint64_t cycles = 0, left_out = 0;
     for (std::uint32_t seed = 0; seed < perimeter_scenes; ++seed) {

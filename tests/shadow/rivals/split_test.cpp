@@ -77,7 +77,7 @@ TEST(Split, AWideFloorIsAskedWhereTheShadowFalls) {
         ObjectSpace o(scene.setting(), scene.shown(), {256, {4096, 32768, 64}, {8192, 65536}, {}});
         ASSERT_EQ(o.split(), PieceStatus::ok);
         EXPECT_EQ(o.mask(), scene.brute_mask());
-        expect_partition(o, scene.shown(), 3);
+        expect_partition(o, scene.shown(), 17);
         counts[k] = o.split_counts().cuts;
         EXPECT_LT(counts[k].boxes,
                   o.split_counts().casters.casters * lit_pieces(o.store()) / 4);
