@@ -82,6 +82,17 @@ void ask_of_scene(const Request& request, std::vector<Case>& all) {
     all = cases.take();
 }
 
+void ask_of_codes(const Request& request, Cases& cases) {
+    for (const std::string_view form : stencils())
+        for (const char* bits : {"6", "8", "10", "12", "16"})
+            cases.add(question::codes, form,
+                      at_size(request, {{"dice_levels", {request.quick ? "1" : "3"}},
+                                        {"form", {std::string(form)}},
+                                        {"surface", {"diced"}},
+                                        {"z_bits", {bits}}}),
+                      {{"at", bits}});
+}
+
 void ask_of_boxes(const Request& request, Cases& cases) {
     const Values sides = request.quick ? Values{"1", "2"} : Values{"1", "2", "4", "8", "16"};
     const Values lights = request.quick ? Values{"1", "2"} : Values{"1", "2", "4", "8"};
@@ -165,6 +176,13 @@ std::string_view extra_of(const Case& c, std::string_view column) {
     return {};
 }
 
+std::vector<std::string_view> stencils() {
+    std::vector<std::string_view> names;
+    for (const shadow::RivalRow& row : shadow::rival_rows)
+        if (!row.is_exact) names.push_back(row.name);
+    return names;
+}
+
 bool is_exact(std::string_view method) {
     return std::ranges::any_of(shadow::rival_rows, [&](const shadow::RivalRow& row) {
         return row.name == method && row.is_exact;
@@ -185,6 +203,7 @@ std::vector<Case> rivals_cases(const Request& request) {
     std::vector<Case> all;
     ask_of_scene(request, all);
     Cases more(without_vary(request));
+    ask_of_codes(request, more);
     ask_of_boxes(request, more);
     ask_of_textbook(request, more);
     ask_of_scan_out(request, more);

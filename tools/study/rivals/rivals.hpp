@@ -12,10 +12,10 @@
 
 namespace umbra78::tools::study {
 
-// What is varied. The first two ask it of the study's scene, the others of scenes of their own;
-// the last three look into the first class (Bouknight & Kelley).
+// What is varied. Objects, lights, textbook and layers ask it of scenes of their own, the others of
+// the study's; sectors, edges and layers look into the first class (Bouknight & Kelley).
 namespace question {
-inline constexpr std::string_view dicing = "dicing", resolution = "resolution",
+inline constexpr std::string_view dicing = "dicing", resolution = "resolution", codes = "codes",
                                   objects = "objects", lights = "lights", textbook = "textbook",
                                   sectors = "sectors", edges = "edges", layers = "layers";
 }
@@ -27,6 +27,8 @@ inline constexpr std::string_view map_on_patches = "depth map, patches",
                                   map_at_points = "depth map, at its points";
 
 std::vector<Case> rivals_cases(const Request&);
+// The forms whose masks hang on the width of the Z codes: volumes counted in the frame store.
+std::vector<std::string_view> stencils();
 // What distinguishes a case: "question", "method", "at", and what scan-out does.
 std::string_view extra_of(const Case&, std::string_view column);
 // The text of the scene that the case's question asks of; "" for the study's scene.

@@ -1,4 +1,5 @@
-// The page of the study of rivals: pictures of the methods, and the methods of textbooks.
+// The page of the study of rivals: pictures of the methods, what stencils count wrongly, and the
+// methods of textbooks.
 #include "tools/study/rivals/tables.hpp"
 
 #include "tools/study/strip.hpp"
@@ -18,18 +19,21 @@ struct Drawing {
     int size = 0;
 };
 
-// The row's frame again, and how its mask differs from truth. Nothing is filtered.
-Drawing drawn_again(const Request& request, const Row& row, const TruthCache& truths) {
+LoadedScene scene_again(const Request& request, const Row& row) {
     Case c;
     for (const char* key : {"form", "surface", "dice_levels", "dequantize", "low_pass", "xy_bits",
                             "lookup", "dither", "bias_unit", "bias", "bias_slope", "map_depth",
-                            "receiver", "slope_source"})
+                            "receiver", "slope_source", "z_bits"})
         c.set.push_back(fmt::format("{}={}", key, row.text(key)));
     for (const char* column : {"question", "at"})
         if (row.has(column)) c.extra.emplace_back(column, row.text(column));
     const std::string own = own_scene(c);
-    const LoadedScene scene =
-        own.empty() ? scene_of(request, c) : parse_scene(own, "the study's scene", c.set);
+    return own.empty() ? scene_of(request, c) : parse_scene(own, "the study's scene", c.set);
+}
+
+// The row's frame again, and how its mask differs from truth. Nothing is filtered.
+Drawing drawn_again(const Request& request, const Row& row, const TruthCache& truths) {
+    const LoadedScene scene = scene_again(request, row);
     RenderJob job(scene.view(), scene.settings);
     job.render();
     const auto picture = job.bytes(Plane::picture);
@@ -39,6 +43,29 @@ Drawing drawn_again(const Request& request, const Row& row, const TruthCache& tr
         drawing.errors = error_picture(traced->truth, {job.bytes(Plane::mask), visible});
     }
     return drawing;
+}
+
+struct Compared {
+    std::vector<std::uint8_t> picture;
+    int size;
+};
+
+// As error_picture(), with the polygons' own truth.
+Compared against_brute_force(const Request& request, const Row& row) {
+    const LoadedScene scene = scene_again(request, row);
+    shadow::Settings exact = scene.settings;
+    exact.form = shadow::Form::brute;
+    RenderJob job(scene.view(), scene.settings), brute(scene.view(), exact);
+    draw_mask(job);
+    draw_mask(brute);
+    const auto mask = job.bytes(Plane::mask), right = brute.bytes(Plane::mask);
+    const std::vector<std::uint8_t> visible = job.visible();
+    Compared made{std::vector<std::uint8_t>(mask.size(), 235), scene.settings.machine.size_px()};
+    for (std::size_t at = 0; at < mask.size(); ++at)
+        if (visible[at] != 0)
+            made.picture[at] = mask[at] == right[at] ? (mask[at] != 0 ? 110 : 200)
+                                                     : (mask[at] != 0 ? 0 : 255);
+    return made;
 }
 
 // Methods whose masks are one mask share a panel.
@@ -90,6 +117,33 @@ void sheet_of_methods(const Request& request, std::span<const Row> all, Report& 
                                        "is black, false light white, light grey is lit and dark "
                                        "grey in shadow."
                                      : " There is no truth for this scene, so no error is shown."));
+}
+
+// The picture is that of the row with most such pixels.
+void report_codes(const Request& request, std::span<const Row> all, Report& report) {
+    const Rows rows = rows_of(all, question::codes);
+    if (rows.empty()) return;
+    TableCells table{{"bits of a code"}};
+    for (const std::string_view form : stencils())
+        table[0].push_back(fmt::format("{}: pixels wrong on its polygons", form));
+    for (const Row* row : rows) {
+        const auto same = std::ranges::find_if(
+            table, [&](const auto& line) { return line.front() == row->text("at"); });
+        auto& line = same != table.end() ? *same : table.emplace_back(1, row->text("at"));
+        line.push_back(rounded(row->number("wrong_on_polygons_px"), 9));
+    }
+    report.heading("Volumes in a frame store");
+    report.table(table, "The stencil forms compare Z codes of sides with those of what is seen, "
+                        "and where both have one code, or round to the wrong order, they count "
+                        "wrongly. They differ from brute force and not from each other.");
+    const Row* worst = *std::ranges::max_element(
+        rows, {}, [](const Row* row) { return row->number("wrong_on_polygons_px"); });
+    if (worst->number("wrong_on_polygons_px") == 0) return;
+    const auto [wrong, size] = against_brute_force(request, *worst);
+    report.picture("rivals-codes", size, size, wrong,
+                   fmt::format("{} with {} bits of Z against brute force: dark where it counts a "
+                               "shadow that is none, white where it counts none.",
+                               worst->text("method"), worst->text("at")));
 }
 
 void report_textbook(const Request& request, std::span<const Row> all, Report& report) {
