@@ -167,7 +167,7 @@ std::string_view extra_of(const Case& c, std::string_view column) {
 
 bool is_exact(std::string_view method) {
     return std::ranges::any_of(shadow::rival_rows, [&](const shadow::RivalRow& row) {
-        return row.name == method;
+        return row.name == method && row.is_exact;
     });
 }
 
