@@ -11,4 +11,78 @@ rivals::Work by_splitting(const rivals::Setting& s, std::span<const std::uint32_
 rivals::Work by_perimeters(const rivals::Setting& s, std::span<const std::uint32_t> shown,
                            Carver& carver, std::span<std::uint8_t> mask);
 
+// --- what class 2 works in, for its casts and for pictures of it ----------------------------------
+
+// How much room pieces get: `turn` times as much for each step in which it was too little. Most
+// scenes fit in the first.
+struct PieceRoom {
+    std::size_t meetings;
+    rivals::WorkSize work;
+    rivals::PieceSize pieces;
+    rivals::FragmentSize fragments;  // for the order from the light, if there is one
+
+    PieceRoom(std::size_t facets, std::size_t turn, bool has_order)
+        : meetings(turn * (facets / 2 + 256)),
+          work{turn * (facets / 4 + 256), turn * (2 * facets + 2048), turn * 32},
+          pieces{turn * (12 * facets + 256), turn * (40 * facets + 1024)} {
+        if (has_order)
+            fragments = {turn * (2 * facets + 64), turn * (8 * facets + 256), turn * 64};
+    }
+    bool has_order() const { return fragments.fragments != 0; }
+};
+
+struct PieceParts {
+    std::span<std::byte> lines, work, store, order, pairs;
+    std::span<std::uint32_t> marks;
+    std::span<rivals::ShownLine> shown;
+};
+
+inline PieceParts parts_of(Carver& carver, const rivals::Mesh& mesh, const PieceRoom& room) {
+    const std::size_t facets = mesh.facets.size();
+    return {carver.take<std::byte>(rivals::LightLines::bytes(mesh, room.meetings)),
+            carver.take<std::byte>(rivals::LitPart::bytes(room.work)),
+            carver.take<std::byte>(rivals::PieceStore::bytes(room.pieces, facets)),
+            carver.take<std::byte>(rivals::LightOrder::bytes(room.fragments, facets)),
+            carver.take<std::byte>(room.has_order() ? rivals::FootprintPairs::bytes(facets) : 0),
+            carver.take<std::uint32_t>(facets), carver.take<rivals::ShownLine>(room.work.longest)};
+}
+
+// What class 2 works in.
+struct Workshop {
+    rivals::LightLines lines;
+    rivals::LitPart lit_part;
+    rivals::PieceStore store;
+    rivals::LightOrder order;
+    rivals::Casters casters;
+    std::span<rivals::ShownLine> shown;
+    std::span<std::byte> pairs;
+};
+
+// cast(workshop) in as much room as the memory has, in doublings; if it says that this was too
+// little, twice as much is asked.
+template <class Cast>
+void in_workshop(const rivals::Setting& s, Carver& carver, bool has_order, Cast&& cast) {
+    const std::size_t facets = s.mesh.facets.size();
+    rivals::LightGrid grid;
+    if (!built_grid(s, carver, grid)) return;
+    const auto needs = [&](std::size_t turn) {
+        Carver trial(static_cast<std::byte*>(nullptr));
+        parts_of(trial, s.mesh, PieceRoom(facets, turn, has_order));
+        return trial.used();
+    };
+    std::size_t turn = 1;
+    while (needs(2 * turn) <= carver.rest().size()) turn *= 2;
+    Carver before = carver;
+    const PieceRoom room(facets, turn, has_order);
+    const PieceParts parts = parts_of(carver, s.mesh, room);
+    if (!carver.fits()) return;
+    Workshop work{{}, rivals::LitPart(parts.work, room.work),
+                  rivals::PieceStore(parts.store, room.pieces, facets),
+                  rivals::LightOrder(parts.order, room.fragments, facets),
+                  rivals::Casters(s, grid, parts.marks), parts.shown, parts.pairs};
+    if (work.lines.make(s, room.meetings, parts.lines) && cast(work)) return;
+    carver = before;
+    carver.take<std::byte>(needs(2 * turn));
+}
+
 }  // namespace umbra78::shadow

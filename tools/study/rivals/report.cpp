@@ -167,6 +167,7 @@ void report_rivals(const Request& request, std::span<const Row> all, Report& rep
     sheet_of_methods(request, all, report);
     table_of_methods(all, report);
     table_of_limits(all, report);
+    report_insides(request, all, report);
     report_codes(request, all, report);
     report_growth(all, report);
     report_textbook(request, all, report);

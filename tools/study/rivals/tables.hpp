@@ -27,6 +27,8 @@ double wrong_share_of(const Row&);  // of the pixels that both see
 void sheet_of_methods(const Request&, std::span<const Row>, Report&);
 // What stencils count wrongly with few bits of Z.
 void report_codes(const Request&, std::span<const Row>, Report&);
+// Shadow volumes, split facets, the order from the light.
+void report_insides(const Request&, std::span<const Row>, Report&);
 void report_growth(std::span<const Row>, Report&);
 void report_textbook(const Request&, std::span<const Row>, Report&);
 void report_scan_out(std::span<const Row>, Report&);
