@@ -128,5 +128,42 @@ TEST(PlanText, EachHasItsOwn) {
     EXPECT_EQ(grouped(12345678), "12 345 678");
 }
 
+// The second light shines on a sphere that is out of the picture.
+TEST_F(Program, PlanLeavesOutALightThatNothingVisibleSees) {
+    write("two.toml", R"([observer]
+azimuth = 0
+extent = 1
+target = [0, 0, 0]
+[[light]]
+kind = "directional"
+azimuth = -50
+[[light]]
+kind = "directional"
+azimuth = 30
+target = [30, 0, 0]
+extent = 2
+[[sphere]]
+centre = [0, 0, 0]
+radius = 0.6
+[[sphere]]
+centre = [30, 0, 0]
+radius = 0.6
+[settings]
+xy_bits = 6
+)");
+    const Ran ran = run("plan two.toml --json");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const json report = parse_json(ran.out);
+    int left_out = 0;
+    for (const json& row : report["omissions"]) {
+        if (row["omission"] != "light_map" && row["omission"] != "post_process") continue;
+        EXPECT_EQ(row.at("left_out"), row.at("lights") == json{"light2"}) << row;
+        if (!row["left_out"]) continue;
+        EXPECT_EQ(row["why"], "nothing visible lies in the light's volume");
+        ++left_out;
+    }
+    EXPECT_EQ(left_out, 2);
+}
+
 }  // namespace
 }  // namespace umbra78::tools

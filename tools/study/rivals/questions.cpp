@@ -111,14 +111,15 @@ struct Remedy {
 };
 
 // What textbooks offer, each with the least that it needs: a constant bias of 1.5 texels where
-// nothing follows the surface, half a texel where something does.
+// nothing follows the surface, half a texel where something does, and a texel more for a window,
+// which reaches a texel farther.
 std::vector<Remedy> remedies() {
-    const GridKey half{"bias", {"0.5"}}, whole{"bias", {"1.5"}};
+    const GridKey half{"bias", {"0.5"}}, whole{"bias", {"1.5"}}, wide{"bias", {"2.5"}};
     return {{"nearest texel", {whole}},
             {"four texels between, dithered", {whole, {"lookup", {"bilinear"}},
                                                {"dither", {"normal"}}}},
-            {"percentage closer, 3 x 3", {whole, {"lookup", {"percentage"}}}},
-            {"filtered depth, 3 x 3 (wrong)", {whole, {"lookup", {"filtered_depth"}}}},
+            {"percentage closer, 3 x 3", {wide, {"lookup", {"percentage"}}}},
+            {"filtered depth, 3 x 3 (wrong)", {wide, {"lookup", {"filtered_depth"}}}},
             {"slope-scaled bias", {half, {"bias_slope", {"1"}}}},
             {"receiver's plane", {half, {"receiver", {"plane"}}, {"slope_source", {"normals"}}}},
             {"normal offset", {half, {"receiver", {"normal"}}, {"slope_source", {"normals"}}}},

@@ -174,8 +174,8 @@ void report_textbook(const Request& request, std::span<const Row> all, Report& r
     report.table(table, "On things of all kinds on a floor, at 256 x 256 unless the study is "
                         "quick, against the smooth surfaces' truth, which is that of a point "
                         "light: a ramp is meant to differ. Where something follows the surface "
-                        "the constant bias is half a texel, else 1.5. Of a graded mask the rates "
-                        "are those at half.");
+                        "the constant bias is half a texel, of a window 2.5, else 1.5. Of a graded "
+                        "mask the rates are those at half; its mean error tells the rest.");
     if (panels.empty()) return;
     const Strip strip = in_rows(panels, size, 5);
     report.picture("rivals-textbook", strip.width, strip.height, strip.gray,
