@@ -32,9 +32,9 @@ inline const std::string& machine_text() {
 }
 
 // The cells of the rows of all tables whose first cells are `head`, without blanks around them.
-inline std::vector<std::vector<std::string>> machine_table(const std::string& head) {
+inline std::vector<std::vector<std::string>> table_of(const std::string& text,
+                                                      const std::string& head) {
     std::vector<std::vector<std::string>> rows;
-    const std::string& text = machine_text();
     bool inside = false;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -57,6 +57,9 @@ inline std::vector<std::vector<std::string>> machine_table(const std::string& he
         }
     }
     return rows;
+}
+inline std::vector<std::vector<std::string>> machine_table(const std::string& head) {
+    return table_of(machine_text(), head);
 }
 
 }  // namespace umbra78::test
