@@ -102,20 +102,13 @@ bool LoopClip::set_template(std::span<const LineId> sides) {
     return true;
 }
 
-// Of a loop's corner: a bit for each line of the template that it is inside. A corner on a line of
-// the template itself is inside: a template is greater than its outline by the least of all
-// infinitesimals, so that neighbours leave nothing between them.
-std::uint32_t LoopClip::signs_at(LineId before, LineId after, bool is_reflex,
-                                 ClipCounts& counts) const {
-    std::uint32_t inside = own_lines_;
-    for (std::size_t j = 0; j < template_.size(); ++j) {
-        const LineId t = template_[j];
-        if ((own_lines_ >> j & 1) != 0) continue;
-        const bool is_in = t.is_along(before) || t.is_along(after) ||
-                           (moved_sign(*lines_, before, after, t, counts.moved) > 0) != is_reflex;
-        inside |= (is_in ? 1u : 0u) << j;
-    }
-    return inside;
+// Whether a loop's corner is inside a line of the template. On this line itself it is: a template is
+// greater than its outline by the least of all infinitesimals, so that neighbours leave nothing
+// between them.
+bool LoopClip::is_inside(LineId edge, const LoopSide& side, LineId next,
+                         ClipCounts& counts) const {
+    if (edge.is_along(side.line) || edge.is_along(next)) return true;
+    return (moved_sign(*lines_, side.line, next, edge, counts.moved) > 0) != side.is_reflex;
 }
 
 // Of a line at the point where a loop's line crosses a line of the template.
@@ -124,23 +117,35 @@ int LoopClip::sign_at(LineId loop_line, LineId edge, bool enters, LineId of,
     return (enters ? -1 : 1) * moved_sign(*lines_, loop_line, edge, of, counts.moved);
 }
 
-// False if all is outside one of the template's lines.
-bool LoopClip::find_signs(ClipCounts& counts) {
+// Writes a bit of each corner. False if all are outside.
+bool LoopClip::find_signs(std::size_t edge, ClipCounts& counts) {
+    bool any = false;
     const auto sides = lit().sides();
-    std::uint32_t some_inside = 0, loop_number = 0;
     for (const Loop& loop : lit().loops()) {
         for (std::uint32_t i = 0; i < loop.count; ++i) {
-            const LoopSide& side = sides[loop.first + i];
-            const LineId after = sides[loop.first + (i + 1) % loop.count].line;
-            const std::uint32_t inside = signs_at(side.line, after, side.is_reflex, counts);
-            ++counts.corners;
-            signs_[loop.first + i] = static_cast<std::uint8_t>(inside);
-            loop_of_[loop.first + i] = loop_number;
-            some_inside |= inside;
+            const LineId next = sides[loop.first + (i + 1 < loop.count ? i + 1 : 0)].line;
+            const bool is_in = is_inside(template_[edge], sides[loop.first + i], next, counts);
+            signs_[loop.first + i] |= static_cast<std::uint8_t>((is_in ? 1u : 0u) << edge);
+            any = any || is_in;
         }
-        ++loop_number;
+        counts.corners += loop.count;
     }
-    return some_inside == all_;
+    return any;
+}
+
+// False if all is outside one of the template's lines.
+bool LoopClip::find_all_signs(ClipCounts& counts) {
+    std::uint32_t number = 0;
+    for (const Loop& loop : lit().loops()) {
+        for (std::uint32_t i = loop.first; i < loop.first + loop.count; ++i) {
+            signs_[i] = static_cast<std::uint8_t>(own_lines_);
+            loop_of_[i] = number;
+        }
+        ++number;
+    }
+    for (std::size_t j = 0; j < template_.size(); ++j)
+        if ((own_lines_ >> j & 1) == 0 && !find_signs(j, counts)) return false;
+    return true;
 }
 
 // --- crossings ------------------------------------------------------------------------------
@@ -272,18 +277,38 @@ std::uint32_t LoopClip::walk_loop(LoopList& out, std::uint32_t from) const {
     return start.next;
 }
 
-void LoopClip::walk(LoopList& out, std::uint32_t first) {
+// Whether all corners are on one of a loop's own lines, which are not moved: then it has no area.
+bool LoopClip::is_flat(std::span<const LoopSide> loop, ClipCounts& counts) const {
+    for (const LoopSide& on : loop) {
+        bool all_on = true;
+        for (std::size_t i = 0; i < loop.size() && all_on; ++i) {
+            const LineId a = loop[i].line, b = loop[i + 1 < loop.size() ? i + 1 : 0].line;
+            all_on = on.line.is_along(a) || on.line.is_along(b) ||
+                     lines_->sign(a, b, on.line, counts.moved.signs) == 0;
+        }
+        if (all_on) return true;
+    }
+    return false;
+}
+
+void LoopClip::walk(LoopList& out, std::uint32_t first, ClipCounts& counts) {
+    ++counts.walks;
     std::uint32_t at = first;
     do {
         crossings_[at].was_walked = true;
         at = walk_loop(out, walk_template(out, at));
     } while (at != first);
-    out.end_loop(facet_);
+    if (out.fits() && is_flat(out.begun(), counts)) {
+        ++counts.flat;
+        out.drop();
+    } else {
+        out.end_loop(facet_);
+    }
 }
 
 bool LoopClip::take_away(std::span<const LineId> sides, ClipCounts& counts) {
     ++counts.clips;
-    if (!set_template(sides) || !find_signs(counts)) return false;
+    if (!set_template(sides) || !find_all_signs(counts)) return false;
     find_crossings(counts);
     LoopList& out = loops_[1 - turn_];
     out.clear();
@@ -291,9 +316,7 @@ bool LoopClip::take_away(std::span<const LineId> sides, ClipCounts& counts) {
     sort_along_template(counts);
     const bool is_less = write_whole_loops(out, counts);
     for (std::uint32_t c = 0; c < crossing_count_; ++c) {
-        if (!crossings_[c].enters || crossings_[c].was_walked) continue;
-        ++counts.walks;
-        walk(out, c);
+        if (crossings_[c].enters && !crossings_[c].was_walked) walk(out, c, counts);
     }
     const bool is_hole = crossing_count_ == 0 && is_template_inside(counts);
     if (is_hole) {

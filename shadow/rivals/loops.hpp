@@ -40,6 +40,8 @@ public:
         ++count_.sides;
     }
     void end_loop(std::uint32_t facet);
+    std::span<const LoopSide> begun() const { return sides().subspan(start_); }
+    void drop() { count_.sides = start_; }  // what was begun
     void copy(const LoopList& from, const Loop& loop);
 
     bool fits() const {
@@ -65,11 +67,12 @@ struct ClipSize {
 
 struct ClipCounts {
     std::uint64_t clips = 0;      // of what is lit of a facet by a template
-    std::uint64_t corners = 0;    // that were asked for their sides of a template's lines
+    std::uint64_t corners = 0;    // that were asked for their side of a template's line
     std::uint64_t changed = 0;    // clips after which less was lit
     std::uint64_t crossings = 0;  // of the loops and the templates
     std::uint64_t compares = 0;   // of two crossings along a template's side
     std::uint64_t walks = 0;      // loops that were walked
+    std::uint64_t flat = 0;       // of them, that have no area before the lines are moved
     std::uint64_t holes = 0;      // templates that were wholly within what was lit
     std::uint64_t inside = 0;     // loops that were wholly within a template
     MovedCounts moved;
@@ -103,9 +106,10 @@ private:
         bool enters, was_walked;
     };
     bool set_template(std::span<const LineId> sides);
-    std::uint32_t signs_at(LineId before, LineId after, bool is_reflex, ClipCounts& counts) const;
+    bool is_inside(LineId edge, const LoopSide& side, LineId next, ClipCounts& counts) const;
     int sign_at(LineId loop_line, LineId edge, bool enters, LineId of, ClipCounts& counts) const;
-    bool find_signs(ClipCounts& counts);
+    bool find_signs(std::size_t edge, ClipCounts& counts);
+    bool find_all_signs(ClipCounts& counts);
     void find_crossings(ClipCounts& counts);
     void cross_side(std::uint32_t side, std::uint32_t before, ClipCounts& counts);
     bool comes_before(const Crossing& a, const Crossing& b, ClipCounts& counts) const;
@@ -114,7 +118,8 @@ private:
     bool write_whole_loops(LoopList& out, ClipCounts& counts) const;
     std::uint32_t walk_template(LoopList& out, std::uint32_t from) const;
     std::uint32_t walk_loop(LoopList& out, std::uint32_t from) const;
-    void walk(LoopList& out, std::uint32_t first);
+    bool is_flat(std::span<const LoopSide> loop, ClipCounts& counts) const;
+    void walk(LoopList& out, std::uint32_t first, ClipCounts& counts);
     bool note_need(const LoopList& list);
 
     const LightLines* lines_ = nullptr;

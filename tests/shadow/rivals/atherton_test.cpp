@@ -69,7 +69,7 @@ TEST(Atherton, EqualsBruteForceInTheFiguresScene) {
             ASSERT_EQ(o.clip(only_seen), PieceStatus::ok);
             EXPECT_EQ(o.mask(), scene.brute_mask());
             const AthertonCounts& c = o.counts();
-            std::printf("%d: recv %lu cast %lu wrong %lu clips %lu corners %lu crossings %lu compares %lu walks %lu holes %lu inside %lu signs %lu ties %lu loops %lu sides %lu longest %lu\n", levels, c.receivers, c.casters.casters, c.wrong, c.clips.clips, c.clips.corners, c.clips.crossings, c.clips.compares, c.clips.walks, c.clips.holes, c.clips.inside, c.clips.moved.signs.edges + c.clips.moved.signs.meetings, c.clips.moved.ties, c.loops, c.sides, c.longest);
+            std::printf("%d: recv %lu cast %lu wrong %lu clips %lu corners %lu crossings %lu compares %lu walks %lu flat %lu holes %lu inside %lu signs %lu ties %lu loops %lu sides %lu longest %lu\n", levels, c.receivers, c.casters.casters, c.wrong, c.clips.clips, c.clips.corners, c.clips.crossings, c.clips.compares, c.clips.walks, c.clips.flat, c.clips.holes, c.clips.inside, c.clips.moved.signs.edges + c.clips.moved.signs.meetings, c.clips.moved.ties, c.loops, c.sides, c.longest);
         }
     }
 }
