@@ -15,6 +15,7 @@
 #include "raster/casters.hpp"
 #include "raster/dice.hpp"
 #include "raster/diced_view.hpp"
+#include "raster/draw_counts.hpp"
 #include "raster/facet.hpp"
 #include "raster/footprint.hpp"
 #include "raster/leaf_centres.hpp"
@@ -46,10 +47,6 @@ concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
     { sink.sample(sample, code, of_facet) } -> std::same_as<void>;
 };
 
-// A sink that has places samples the view there, and not at its pixels' centres.
-template <class T>
-concept PlacesSink = Sink<T> && requires(T& sink) { sink.places; };
-
 // Rounds the view's exact matrix to the unit's words. An affine matrix is refused, too, where a
 // raster word could be so large that its corrections and bounds would not fit 64 bits.
 hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
@@ -57,26 +54,6 @@ hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat o
 // The same of any matrix from world units to the screen.
 hw::LoadStatus load_view(const RationalMatrix& exact, const MachineSpec& spec, WordFormat object,
                          MatrixWords& out);
-
-struct DrawCounts {
-    std::uint64_t subdivided() const { return patches - diced_patches; }
-    std::uint64_t patches = 0, blocks = 0;
-    std::uint64_t samples = 0;        // handed to the sink: pixels drawn, with their overdraw
-    std::uint64_t facet_samples = 0;  // those of facets among them
-    std::uint64_t hidden_blocks = 0;  // left out behind what was drawn before
-    std::uint64_t unresolved = 0;     // dropped: no level or split left, or no quotient
-    std::uint64_t tested_blocks = 0;  // whose action was decided
-    std::uint64_t splits = 0;
-    std::uint64_t tested_centres = 0;  // pixel centres in a leaf's window
-    std::uint64_t facets = 0, cut_facets = 0;  // of the mesh; those cut to the guard band
-    std::uint64_t diced_patches = 0, diced_vertices = 0;
-    std::uint64_t turned_triangles = 0;          // left out by their facing
-    std::uint64_t triangles = 0;               // that may cover a centre
-    std::uint64_t triangle_lines = 0;          // scan lines in their boxes
-    std::uint64_t unresolved_facets = 0;       // dropped: a corner has no quotient
-
-    DrawCounts& operator+=(const DrawCounts&);
-};
 
 // How patches become samples: by Catmull's subdivision, or diced to facets (dice.hpp).
 enum class PatchForm : std::uint8_t { catmull, diced };
@@ -204,7 +181,7 @@ template <class SampleSink>
 void sample_block(const DrawSetup& setup, const DrawMemory& memory, const BlockShading* shading,
                   const Emitter<SampleSink>& emit) {
     const auto take = [&](auto&& each) {
-        if constexpr (PlacesSink<SampleSink>) {
+        if constexpr (HasPlaces<SampleSink>) {
             emit.counts.tested_centres +=
                 sample_block_places(memory.corners, emit.sink.places, each);
         } else if (!hw::built(hw::Feature::leaf_sampling) || setup.sampling == Sampling::centre) {
@@ -284,7 +261,7 @@ void draw_facets(const Mesh& mesh, const DrawSetup& setup, FacetWalk& walk,
             if (!setup.casters.all_alike() && setup.casters.slope_q8 > 0)
                 offset = setup.casters.offset(depth_slope(a, b, c));
             std::uint64_t lines = 0;
-            if constexpr (PlacesSink<SampleSink>) {
+            if constexpr (HasPlaces<SampleSink>) {
                 const FacetShading* const none = nullptr;
                 lines = sample_triangle_places(a, b, c, emit.sink.places,
                                                [&](const Sample& s) { emit(s, none, offset); });

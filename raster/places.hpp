@@ -140,6 +140,10 @@ std::uint64_t sample_triangle_places(Corner a, Corner b, Corner c, Places& place
     return tested;
 }
 
+// A sink that has places samples its view there, and not at its pixels' centres.
+template <class T>
+concept HasPlaces = requires(T& sink) { sink.places; };
+
 // The least code at each place, kept at the pixel whose it is.
 template <class Depth>
 struct PlaceSink {

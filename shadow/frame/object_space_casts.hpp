@@ -11,7 +11,7 @@ rivals::Work by_splitting(const rivals::Setting& s, std::span<const std::uint32_
 rivals::Work by_perimeters(const rivals::Setting& s, std::span<const std::uint32_t> shown,
                            Carver& carver, std::span<std::uint8_t> mask);
 
-// --- what class 2 works in, for its casts and for pictures of it ----------------------------------
+// --- what class 2 works in, for its casts and for pictures of it ----------------------------
 
 // How much room pieces get: `turn` times as much for each step in which it was too little. Most
 // scenes fit in the first.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Documents lead somewhere: each relative link in a *.md is a file or folder of the repository, and
-# each #anchor a heading of the document that it names.
+# each #anchor a heading of the document that it names. And the lines of code that RIVALS.md tells of
+# each rival are those of its files, within a tenth.
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 
@@ -60,4 +61,15 @@ check_all "$scratch/control.md" >"$scratch/log"
 found=$((failures - before))
 failures=$before
 [ $found -eq 2 ] || fail "the control's two broken links give $found findings"
+# Rows "| form | files without their ends | lines |" of its last section.
+rivals=shadow/rivals/RIVALS.md
+forms=0
+while IFS='|' read -r _ form files told _; do
+  lines=$(for file in $files; do cat "shadow/rivals/$file".[ch]pp; done | sed 's://.*::' |
+    grep -cv '^[[:space:]]*$')
+  forms=$((forms + 1))
+  [ $((10 * lines)) -le $((11 * told)) ] && [ $((10 * lines)) -ge $((9 * told)) ] ||
+    fail "$rivals: $form has $lines lines of code, and not$told"
+done < <(sed -n '/^## 10[.]/,$p' "$rivals" | grep -E '^\| [a-z_, ]+ \| [a-z_ ]+ \| [0-9]+ \|$')
+[ "$forms" -ge 9 ] || fail "$rivals: only $forms rows of lines were found"
 verdict "$count links of $(echo $documents | wc -w) documents"

@@ -8,6 +8,7 @@ from .filters import composite, dequantize, low_pass, ramp
 from .ground import ellipse, ellipse_patches, ground_masks
 from .noise import dither_words, noise_bits
 from .notation import half_up
+from .places import Places
 from .receiver import Scale, light_axes, scale_words
 from .sectors import SectorLights, sector_mask, sector_views
 from .settings import Settings, table
@@ -214,6 +215,12 @@ class Frame:
             return
         if s.form in ("ground", "blob"):
             self.make_ground_masks()
+            return
+        if s.form == "irregular_map":
+            places = Places(self.observer_z, self.matrix(light), s)
+            self.made["mask" + number] = places.mask(draw(
+                self.patches, self.facets, self.fraction, self.lights[light], s,
+                places=places)[0])
             return
         given = (self.observer_z, self.of_light("light_z", light), self.matrix(light), s,
                  dither_words(s))

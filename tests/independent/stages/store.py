@@ -6,12 +6,13 @@ from .transform_unit import Loaded
 from .triangles import facet_levels, triangle_samples, triangles, vertices
 
 
-def draw(patches, facets, object_fraction, view, s, record=None, shading=None):
+def draw(patches, facets, object_fraction, view, s, record=None, shading=None, places=None):
     """The planes of a view of the object words, and counts of patches.
 
     A facet is three places in object words, and three normals or None.  Without `record` the store
     keeps codes only, as the light's does, by section 24.  Else record(levels)(sample, code) is what
-    is compared after the code: intensity, direct and any others.
+    is compared after the code: intensity, direct and any others.  `places` are where the view is
+    sampled in place of its pixels' centres; the planes are then those of the places' own pixels.
     """
     planes = [s.background_code] * (s.size_px * s.size_px)
     stored = {}
@@ -60,13 +61,15 @@ def draw(patches, facets, object_fraction, view, s, record=None, shading=None):
                 continue
             counts.drawn += 1
             shaded = record and record(shading.block(block[screen:]))
-            counts.samples += store(of_leaf(grids, samples(grids, s)), shaded)
+            counts.samples += store(
+                of_leaf(grids, places.of_block(grids) if places else samples(grids, s)), shaded)
     for points, normals in facets:
         facet = vertices(points, normals, loaded, s)
         for triangle in triangles(facet, loaded.affine, s, facing) or ():
             shaded = record and record(facet_levels(shading, facet, normals is not None,
                                                     triangle))
-            store(of_facet(triangle, triangle_samples(triangle, s)), shaded)
+            found = places.of_triangle(triangle) if places else triangle_samples(triangle, s)
+            store(of_facet(triangle, found), shaded)
     width = len(next(iter(stored.values()), (0, 0)))
     rest = [[stored[p][k] if p in stored else 0 for p in range(len(planes))]
             for k in range(width)]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shadow/frame/frame.hpp"
+#include "shadow/frame/methods.hpp"
 #include "shadow/frame/paper_figures.hpp"
 
 #include <algorithm>
@@ -52,10 +53,15 @@ struct Frame {
         draw(scene, settings);
     }
     FrameStatus draw(const Scene& scene, const Settings& settings) {
+        if (const Method* method = method_of(settings);
+            method != nullptr && method->memory != nullptr) {
+            method_memory = Memory(method->memory({scene, settings, {}}));
+            buffers.method_memory = method_memory.span();
+        }
         return status = render(scene, settings, buffers, matrices, counts);
     }
 
-    Memory memory;
+    Memory memory, method_memory{0};
     FrameBuffers<Depth> buffers;
     FrameMatrices matrices{};
     FrameCounts counts{};

@@ -19,7 +19,8 @@ struct Drawn {
     std::string_view method, form, surface;
 };
 
-// The depth map on patches, on the rivals' facets and at the visible points; then the rivals of the table of methods.
+// The depth map on patches, on the rivals' facets and at the visible points; then the rivals of the
+// table of methods.
 std::vector<Drawn> methods_drawn() {
     std::vector<Drawn> all{{map_on_patches, "post_process", "catmull"},
                            {map_on_facets, "post_process", "diced"},

@@ -47,11 +47,12 @@ Row Rivals::run(const Request&, const Case& c, const LoadedScene* scene) const {
 std::vector<ColumnMeaning> Rivals::columns() const {
     return {
         {"question", "what is varied: how finely patches are diced; the picture's resolution; the "
-                     "bits of a Z code; the number of boxes; of lights; what a textbook offers; and of the first class "
-                     "the size of its sectors, the edges projected, the layers over the floor"},
+                     "bits of a Z code; the number of boxes; of lights; what a textbook offers; "
+                     "and of the first class the size of its sectors, the edges projected, the "
+                     "layers over the floor"},
         {"method", "the depth map on patches or on facets, a rival's name, or what is tried"},
-        {"at", "bits of a Z code; boxes a side; lights; the ramp's width in pixels; cells a side of the light's "
-               "picture; dice levels; sheets over the floor"},
+        {"at", "bits of a Z code; boxes a side; lights; the ramp's width in pixels; cells a side "
+               "of the light's picture; dice levels; sheets over the floor"},
         {"cells", "of the first class: sectors a side of the light's picture; 0: by the facets"},
         {"edges", "of the first class: every edge is projected, or contours alone"},
         {"stop", "of the first class: whether a run that is wholly dark asks no more casters"},
