@@ -3,6 +3,7 @@
 #include "shadow/rivals/brute.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace umbra78::shadow::rivals {
 namespace {
@@ -55,6 +56,7 @@ std::span<ListedCaster> Clipping::listed(std::uint32_t r) {
         room[count++] = {depth, f, before};
         return true;
     });
+    counts.sorting += count * static_cast<std::size_t>(std::bit_width(count));
     const auto list = room.first(count);
     std::sort(list.begin(), list.end(), [](const ListedCaster& a, const ListedCaster& b) {
         return a.depth != b.depth ? a.depth < b.depth : a.facet < b.facet;
@@ -145,7 +147,7 @@ Run rest_of(const Run& run, const Run& inside) {
 // counts for the pixels on one side of it, which is its inside or its outside as it goes up or
 // down.
 void find_flips(const LightLines& lines, const FacetLoops& of, std::span<const ShownLine> shown,
-                const Run& run, int row, std::span<std::uint8_t> flips) {
+                const Run& run, int row, std::span<std::uint8_t> flips, LoopMaskCounts& counts) {
     const SeenRow seen = seen_row(lines, of.facet(), row);
     const Space& space = lines.setting().space;
     const auto side_of_corner = [&](const LoopSide& a, const LoopSide& b) {
@@ -159,6 +161,7 @@ void find_flips(const LightLines& lines, const FacetLoops& of, std::span<const S
             const int after =
                 i + 1 < sides.size() ? side_of_corner(sides[i], sides[i + 1]) : last;
             if (before != after) {
+                ++counts.crossings;
                 const Run inside = shown[loop.first - of.first() + i].inside(space, run, row);
                 const Run counted = after > 0 ? inside : rest_of(run, inside);
                 if (!counted.empty()) {
@@ -173,20 +176,20 @@ void find_flips(const LightLines& lines, const FacetLoops& of, std::span<const S
 
 void draw(const LightLines& lines, const FacetLoops& of, std::span<const std::uint32_t> shown,
           std::span<ShownLine> room, std::span<std::uint8_t> flips,
-          std::span<std::uint8_t> mask, MaskCounts& counts) {
+          std::span<std::uint8_t> mask, LoopMaskCounts& counts) {
     const Setting& setting = lines.setting();
     const std::uint32_t facet = of.facet();
     if (setting.eye.sides[facet] == 0 || setting.attached(facet)) return;
     for (std::size_t k = 0; k < of.count(); ++k)
         room[k] = lines.shown(facet, of.sides[of.first() + k].line);
-    counts.pieces += of.loops.size();
+    counts.loops += of.loops.size();
     const Run rows = rows_of(setting, facet);
     for (int row = rows.from; row < rows.to; ++row) {
-        counts.rows += of.loops.size();
         const Run run = setting.covered_run(facet, row);
         if (run.empty()) continue;
+        counts.sides += of.count();
         std::fill(flips.begin() + run.from, flips.begin() + run.to + 1, std::uint8_t{0});
-        find_flips(lines, of, room, run, row, flips);
+        find_flips(lines, of, room, run, row, flips, counts);
         const std::size_t start =
             static_cast<std::size_t>(row) * static_cast<std::size_t>(setting.space.size_px());
         std::uint8_t is_lit = 0;
@@ -211,7 +214,7 @@ std::size_t most_sides(const LoopStore& store) {
 bool mask_of_loops(const LightLines& lines, const LoopStore& store,
                    std::span<const std::uint32_t> shown, std::span<ShownLine> room,
                    std::span<std::uint8_t> flips, std::span<std::uint8_t> mask,
-                   MaskCounts& counts) {
+                   LoopMaskCounts& counts) {
     const auto row = static_cast<std::size_t>(lines.setting().space.size_px());
     if (room.size() < most_sides(store) || flips.size() < row + 1) return false;
     for (std::size_t at = 0; at < mask.size(); ++at)

@@ -23,6 +23,7 @@ namespace umbra78::shadow::rivals {
 struct AthertonCounts {
     std::uint64_t receivers = 0;  // facets that were clipped
     std::uint64_t all_dark = 0;   // of them, that were left before all casters had been tried
+    std::uint64_t sorting = 0;    // compares of the rough order: casters, times their number's bits
     std::uint64_t wrong = 0;      // casters that the rough order has behind what they shadow
     std::uint64_t loops = 0;      // that were left
     std::uint64_t sides = 0;      // of them
@@ -49,12 +50,19 @@ PieceStatus clip_by_outlines(LightLines& lines, Casters& casters,
 // Sides of the facet that has the most: what mask_of_loops needs room for.
 std::size_t most_sides(const LoopStore& store);
 
+struct LoopMaskCounts {
+    std::uint64_t loops = 0;      // that were drawn, of facets that are seen and not attached
+    std::uint64_t sides = 0;      // asked for each row of their facets
+    std::uint64_t crossings = 0;  // of a side and a row
+    std::uint64_t pixels = 0;     // that are lit
+};
+
 // The mask: a pixel is lit if it is within the loops of the facet that it shows, which they go
 // around an odd number of times. `room` has at least most_sides(store) lines, `flips` one more than
 // a row has pixels; false if they have less.
 bool mask_of_loops(const LightLines& lines, const LoopStore& store,
                    std::span<const std::uint32_t> shown, std::span<ShownLine> room,
                    std::span<std::uint8_t> flips, std::span<std::uint8_t> mask,
-                   MaskCounts& counts);
+                   LoopMaskCounts& counts);
 
 }  // namespace umbra78::shadow::rivals

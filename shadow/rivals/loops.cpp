@@ -198,10 +198,12 @@ bool LoopClip::comes_before(const Crossing& a, const Crossing& b, ClipCounts& co
 
 void LoopClip::sort_along_template(ClipCounts& counts) {
     const auto along = along_.first(crossing_count_);
-    for (std::size_t c = 0; c < along.size(); ++c) along[c] = static_cast<std::uint32_t>(c);
-    std::sort(along.begin(), along.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return a != b && comes_before(crossings_[a], crossings_[b], counts);
-    });
+    for (std::size_t c = 0; c < along.size(); ++c) {
+        std::size_t k = c;
+        for (; k > 0 && comes_before(crossings_[c], crossings_[along[k - 1]], counts); --k)
+            along[k] = along[k - 1];
+        along[k] = static_cast<std::uint32_t>(c);
+    }
     for (std::size_t k = 0; k < along.size(); ++k)
         crossings_[along[k]].place = static_cast<std::uint32_t>(k);
 }

@@ -61,7 +61,7 @@ public:
     const LoopClip& work() const { return work_; }
     const LoopList& store() const { return store_; }
     const AthertonCounts& counts() const { return counts_; }
-    const MaskCounts& mask_counts() const { return mask_counts_; }
+    const LoopMaskCounts& mask_counts() const { return mask_counts_; }
 
 private:
     const Setting& setting_;
@@ -74,7 +74,7 @@ private:
     LoopList store_;
     std::unique_ptr<Memory> grid_memory_, lines_memory_, work_memory_, store_memory_;
     AthertonCounts counts_{};
-    MaskCounts mask_counts_{};
+    LoopMaskCounts mask_counts_{};
 };
 
 }  // namespace umbra78::shadow::rivals::test

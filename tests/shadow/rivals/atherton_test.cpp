@@ -1,8 +1,7 @@
 // Clipping by outlines equals brute force in every pixel, its loops are what they are said to be,
 // and what does not fit is said.
-#include "tests/shadow/rivals/atherton.hpp"
-#include "tests/shadow/rivals/figures_scene.hpp"
 #include "tests/shadow/rivals/object_space_scenes.hpp"
+#include "tests/shadow/rivals/object_space_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +32,6 @@ TEST(Atherton, EqualsBruteForce) {
     EXPECT_GT(wrong, enough(1'000));
     EXPECT_GT(partly, enough(1'000));
     EXPECT_GT(longest, 6u);
-    std::printf("walks %llu holes %llu inside %llu ties %llu wrong %llu partly %llu longest %llu\n", (unsigned long long)all.walks, (unsigned long long)all.holes, (unsigned long long)all.inside, (unsigned long long)all.moved.ties, (unsigned long long)wrong, (unsigned long long)partly, (unsigned long long)longest);
 }
 
 // The widest words: a bound that is too small would trap.
@@ -61,17 +59,99 @@ TEST(Atherton, CountsTheAreasOfNamedScenes) {
     }
 }
 
-TEST(Atherton, EqualsBruteForceInTheFiguresScene) {
+TEST(Atherton, CountsOfTheFiguresScene) {
     for (const int levels : {1, 2, 3}) {
         const FiguresScene scene(levels);
-        for (const bool only_seen : {true, false}) {
-            Outlines o(scene.setting(), scene.shown(), {1024, {{256, 8192}, 4096}, {65536, 500000}});
-            ASSERT_EQ(o.clip(only_seen), PieceStatus::ok);
-            EXPECT_EQ(o.mask(), scene.brute_mask());
-            const AthertonCounts& c = o.counts();
-            std::printf("%d: recv %lu cast %lu wrong %lu clips %lu corners %lu crossings %lu compares %lu walks %lu flat %lu holes %lu inside %lu signs %lu ties %lu loops %lu sides %lu longest %lu\n", levels, c.receivers, c.casters.casters, c.wrong, c.clips.clips, c.clips.corners, c.clips.crossings, c.clips.compares, c.clips.walks, c.clips.flat, c.clips.holes, c.clips.inside, c.clips.moved.signs.edges + c.clips.moved.signs.meetings, c.clips.moved.ties, c.loops, c.sides, c.longest);
-        }
+        check_outlines(scene, 1 << levels, true);
+        check_outlines(scene, 1 << levels, false);
     }
+}
+
+// --- loops ----------------------------------------------------------------------------------
+
+// Loops and sides that are left of the facet of the floor that has them both.
+LoopSize of_facet(const LoopList& store, std::uint32_t facet) {
+    LoopSize size;
+    for (const Loop& loop : store.loops())
+        if (loop.facet == facet) ++size.loops, size.sides += loop.count;
+    return size;
+}
+
+// A plate of two facets leaves one hole, which the second facet makes larger; a plate that comes
+// later and is greater takes the hole away again.
+TEST(Atherton, NeighboursLeaveOneHole) {
+    Polygons p = floor_under_light("plate");
+    p.quad(casting(10, -20), casting(20, -20), casting(20, -10), casting(10, -10));
+    const Scene plate(p);
+    Outlines one(plate.setting(), plate.shown());
+    ASSERT_EQ(one.clip(), PieceStatus::ok);
+    EXPECT_EQ(one.counts().clips.holes, 1u);
+    EXPECT_EQ(one.counts().clips.changed, 2u);
+    EXPECT_EQ(of_facet(one.store(), 0).loops, 2u);
+    EXPECT_GE(of_facet(one.store(), 0).sides, 3u + 4u);
+    EXPECT_LE(of_facet(one.store(), 0).sides, 3u + 6u);  // with what is left at the shared corners
+
+    p.triangle(casting(2, -28, 64), casting(28, -28, 64), casting(25, -1, 64));
+    const Scene two(p);
+    Outlines both(two.setting(), two.shown());
+    ASSERT_EQ(both.clip(), PieceStatus::ok);
+    EXPECT_EQ(both.mask(), two.brute_mask());
+    EXPECT_EQ(of_facet(both.store(), 0).loops, 2u);
+    EXPECT_EQ(of_facet(both.store(), 0).sides, 6u);
+}
+
+// The four plates around a gap leave the gap, as a loop of its own within the hole.
+TEST(Atherton, ALoopWithinAHole) {
+    Polygons p = floor_under_light("frame");
+    p.quad(casting(6, -26, 8), casting(24, -26, 8), casting(24, -22, 8), casting(6, -22, 8));
+    p.quad(casting(6, -12, 16), casting(24, -12, 16), casting(24, -8, 16), casting(6, -8, 16));
+    p.quad(casting(7, -25, 32), casting(10, -25, 32), casting(10, -9, 32), casting(7, -9, 32));
+    p.quad(casting(20, -25, 64), casting(23, -25, 64), casting(23, -9, 64), casting(20, -9, 64));
+    const Scene scene(p);
+    Outlines o(scene.setting(), scene.shown());
+    ASSERT_EQ(o.clip(), PieceStatus::ok);
+    EXPECT_EQ(o.mask(), scene.brute_mask());
+    EXPECT_EQ(of_facet(o.store(), 0).loops, 3u);
+}
+
+// --- capacities -----------------------------------------------------------------------------
+
+TEST(Atherton, SaysWhatDoesNotFit) {
+    const Scene scene(through_each_other().polygons);
+    Outlines o(scene.setting(), scene.shown());
+    ASSERT_EQ(o.clip(), PieceStatus::ok);
+    const auto expected = o.mask();
+    const LoopSize exact = o.store().count();
+    const std::size_t meetings = o.lines().meetings_needed();
+    ASSERT_GT(meetings, 0u);
+
+    for (const LoopSize& less : {LoopSize{exact.loops - 1, exact.sides},
+                                 LoopSize{exact.loops, exact.sides - 1}, LoopSize{}}) {
+        o.give({meetings, {{64, 512}, 64}, less});
+        EXPECT_EQ(o.clip(), PieceStatus::no_room);
+        EXPECT_EQ(o.store().count().loops, exact.loops);
+        EXPECT_EQ(o.store().count().sides, exact.sides);
+    }
+    o.give({meetings - 1, {{64, 512}, 64}, exact});
+    EXPECT_EQ(o.clip(), PieceStatus::no_meetings);
+    EXPECT_EQ(o.lines().meetings_needed(), meetings);
+
+    // The work's room grows by what it says until it is enough.
+    ClipSize work{};
+    int tries = 0;
+    for (;; ++tries) {
+        o.give({meetings, work, exact});
+        const PieceStatus status = o.clip();
+        if (status == PieceStatus::ok) break;
+        ASSERT_EQ(status, PieceStatus::no_work_room);
+        const ClipSize needed = o.work().needed();
+        ASSERT_TRUE(needed.loops.loops > work.loops.loops ||
+                    needed.loops.sides > work.loops.sides || needed.crossings > work.crossings);
+        work = needed;
+        ASSERT_LT(tries, 100);
+    }
+    EXPECT_GT(tries, 1);
+    EXPECT_EQ(o.mask(), expected);
 }
 
 }  // namespace
