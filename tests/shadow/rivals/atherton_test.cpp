@@ -91,11 +91,13 @@ TEST(Atherton, NeighboursLeaveOneHole) {
     EXPECT_GE(of_facet(one.store(), 0).sides, 3u + 4u);
     EXPECT_LE(of_facet(one.store(), 0).sides, 3u + 6u);  // with what is left at the shared corners
 
-    p.triangle(casting(2, -28, 64), casting(28, -28, 64), casting(25, -1, 64));
+    p.triangle(casting(-24, -30, -200), casting(30, -30, -200), casting(28, 20, -200));
     const Scene two(p);
     Outlines both(two.setting(), two.shown());
     ASSERT_EQ(both.clip(), PieceStatus::ok);
     EXPECT_EQ(both.mask(), two.brute_mask());
+    EXPECT_EQ(both.counts().clips.holes, 3u);  // two in the floor, one in the triangle itself
+    EXPECT_GE(both.counts().clips.inside, 1u);
     EXPECT_EQ(of_facet(both.store(), 0).loops, 2u);
     EXPECT_EQ(of_facet(both.store(), 0).sides, 6u);
 }
