@@ -61,8 +61,8 @@ struct Workshop {
     std::span<std::byte> pairs;
 };
 
-// cast(lay_out(carver, turn), turn) in as much room as the memory has, in doublings; if it says that
-// this was too little, twice as much is asked.
+// cast(lay_out(carver, turn), turn) in as much room as the memory has, in doublings; if it says
+// that this was too little, twice as much is asked.
 template <class LayOut, class Cast>
 void in_doublings(Carver& carver, LayOut&& lay_out, Cast&& cast) {
     const auto needs = [&](std::size_t turn) {

@@ -185,9 +185,9 @@ void draw(const LightLines& lines, const FacetLoops& of, std::span<const std::ui
     counts.loops += of.loops.size();
     const Run rows = rows_of(setting, facet);
     for (int row = rows.from; row < rows.to; ++row) {
+        counts.sides += of.count();
         const Run run = setting.covered_run(facet, row);
         if (run.empty()) continue;
-        counts.sides += of.count();
         std::fill(flips.begin() + run.from, flips.begin() + run.to + 1, std::uint8_t{0});
         find_flips(lines, of, room, run, row, flips, counts);
         const std::size_t start =

@@ -87,8 +87,8 @@ void LoopClip::begin(const LightLines& lines, std::uint32_t facet,
 
 // --- signs ----------------------------------------------------------------------------------
 
-// False if the template lies beyond a line of the facet itself, which the two share: what is lit is
-// wholly on one side of such a line.
+// False if the template lies beyond a line of the facet itself, which the two share: what is lit
+// is wholly on one side of such a line.
 bool LoopClip::set_template(std::span<const LineId> sides) {
     template_ = sides;
     all_ = (1u << sides.size()) - 1;
@@ -102,8 +102,8 @@ bool LoopClip::set_template(std::span<const LineId> sides) {
     return true;
 }
 
-// Whether a loop's corner is inside a line of the template. On this line itself it is: a template is
-// greater than its outline by the least of all infinitesimals, so that neighbours leave nothing
+// Whether a loop's corner is inside a line of the template. On this line itself it is: a template
+// is greater than its outline by the least of all infinitesimals, so that neighbours leave nothing
 // between them.
 bool LoopClip::is_inside(LineId edge, const LoopSide& side, LineId next,
                          ClipCounts& counts) const {

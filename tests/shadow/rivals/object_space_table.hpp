@@ -1,4 +1,5 @@
-// The tables of shadow/rivals/object_space.md and atherton.md, and the rows that the program makes of them.
+// The tables of shadow/rivals/object_space.md and atherton.md, and the rows that the program makes
+// of them.
 #pragma once
 
 #include "tests/shadow/rivals/atherton.hpp"
