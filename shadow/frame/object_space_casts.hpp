@@ -11,6 +11,9 @@ rivals::Work by_splitting(const rivals::Setting& s, std::span<const std::uint32_
 rivals::Work by_perimeters(const rivals::Setting& s, std::span<const std::uint32_t> shown,
                            Carver& carver, std::span<std::uint8_t> mask);
 
+rivals::Work by_outlines(const rivals::Setting& s, std::span<const std::uint32_t> shown,
+                         Carver& carver, std::span<std::uint8_t> mask);
+
 // --- what class 2 works in, for its casts and for pictures of it ----------------------------
 
 // How much room pieces get: `turn` times as much for each step in which it was too little. Most
@@ -58,31 +61,41 @@ struct Workshop {
     std::span<std::byte> pairs;
 };
 
-// cast(workshop) in as much room as the memory has, in doublings; if it says that this was too
-// little, twice as much is asked.
+// cast(lay_out(carver, turn), turn) in as much room as the memory has, in doublings; if it says
+// that this was too little, twice as much is asked.
+template <class LayOut, class Cast>
+void in_doublings(Carver& carver, LayOut&& lay_out, Cast&& cast) {
+    const auto needs = [&](std::size_t turn) {
+        Carver trial(static_cast<std::byte*>(nullptr));
+        lay_out(trial, turn);
+        return trial.used();
+    };
+    std::size_t turn = 1;
+    while (needs(2 * turn) <= carver.rest().size()) turn *= 2;
+    const Carver before = carver;
+    const auto parts = lay_out(carver, turn);
+    if (!carver.fits() || cast(parts, turn)) return;
+    carver = before;
+    carver.take<std::byte>(needs(2 * turn));
+}
+
+// cast(workshop), which says whether it had enough room.
 template <class Cast>
 void in_workshop(const rivals::Setting& s, Carver& carver, bool has_order, Cast&& cast) {
     const std::size_t facets = s.mesh.facets.size();
     rivals::LightGrid grid;
     if (!built_grid(s, carver, grid)) return;
-    const auto needs = [&](std::size_t turn) {
-        Carver trial(static_cast<std::byte*>(nullptr));
-        parts_of(trial, s.mesh, PieceRoom(facets, turn, has_order));
-        return trial.used();
+    const auto lay_out = [&](Carver& in, std::size_t turn) {
+        return parts_of(in, s.mesh, PieceRoom(facets, turn, has_order));
     };
-    std::size_t turn = 1;
-    while (needs(2 * turn) <= carver.rest().size()) turn *= 2;
-    Carver before = carver;
-    const PieceRoom room(facets, turn, has_order);
-    const PieceParts parts = parts_of(carver, s.mesh, room);
-    if (!carver.fits()) return;
-    Workshop work{{}, rivals::LitPart(parts.work, room.work),
-                  rivals::PieceStore(parts.store, room.pieces, facets),
-                  rivals::LightOrder(parts.order, room.fragments, facets),
-                  rivals::Casters(s, grid, parts.marks), parts.shown, parts.pairs};
-    if (work.lines.make(s, room.meetings, parts.lines) && cast(work)) return;
-    carver = before;
-    carver.take<std::byte>(needs(2 * turn));
+    in_doublings(carver, lay_out, [&](const PieceParts& parts, std::size_t turn) {
+        const PieceRoom room(facets, turn, has_order);
+        Workshop work{{}, rivals::LitPart(parts.work, room.work),
+                      rivals::PieceStore(parts.store, room.pieces, facets),
+                      rivals::LightOrder(parts.order, room.fragments, facets),
+                      rivals::Casters(s, grid, parts.marks), parts.shown, parts.pairs};
+        return work.lines.make(s, room.meetings, parts.lines) && cast(work);
+    });
 }
 
 }  // namespace umbra78::shadow

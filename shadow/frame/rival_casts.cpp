@@ -133,6 +133,7 @@ Work cast_by(Form form, const rivals::Setting& setting, std::span<const std::uin
         case Form::appel: return by_appel(setting, shown, carver, mask);
         case Form::splitting: return by_splitting(setting, shown, carver, mask);
         case Form::perimeters: return by_perimeters(setting, shown, carver, mask);
+        case Form::atherton: return by_outlines(setting, shown, carver, mask);
         case Form::irregular: return by_irregular(setting, shown, carver, mask);
         default: return by_brute(setting, shown, carver, mask);
     }

@@ -35,6 +35,8 @@ inline constexpr std::array rival_rows{
     RivalRow{Form::splitting, "splitting", "facets are split by their casters (second class)"},
     RivalRow{Form::perimeters, "perimeters",
              "facets from the light on are clipped by the outlines before them (second class)"},
+    RivalRow{Form::atherton, "atherton",
+             "outlines are taken away from concave polygons with holes (second class)"},
     RivalRow{Form::irregular, "irregular",
              "the alias-free map: the visible points are its texels"}};
 

@@ -31,10 +31,11 @@ constexpr std::array<std::string_view, 5> dither_names{"none", "uniform", "trian
                                                        "normal"};
 constexpr std::array<std::string_view, 4> shading_names{"phong", "blinn", "lambert", "none"};
 constexpr std::array<std::string_view, 2> composite_names{"direct", "whole"};
-constexpr std::array<std::string_view, 15> form_names{
+constexpr std::array<std::string_view, 16> form_names{
     "post_process", "correct", "ground",          "blob",         "irregular_map",
     "brute",        "volumes", "ordered_volumes", "stencil_pass", "stencil_fail",
-    "bouknight_kelley", "appel", "splitting", "perimeters", "irregular"};
+    "bouknight_kelley", "appel", "splitting", "perimeters", "atherton",
+    "irregular"};
 constexpr std::array<std::string_view, 2> arithmetic_names{"fixed", "ap120b"};
 constexpr std::array<std::string_view, 2> sector_test_names{"classified", "every"};
 constexpr std::array<std::string_view, 2> memory_names{"standard", "fast"};

@@ -27,7 +27,7 @@ namespace umbra78::shadow {
 enum class Form : std::uint8_t {
     post_process, correct, ground, blob, irregular_map,
     brute, volumes, ordered_volumes, stencil_pass, stencil_fail, bouknight_kelley, appel, splitting,
-    perimeters, irregular,
+    perimeters, atherton, irregular,
 };
 constexpr bool is_on_ground(Form form) { return form == Form::ground || form == Form::blob; }
 constexpr bool is_rival(Form form) { return form >= Form::brute; }

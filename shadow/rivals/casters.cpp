@@ -18,7 +18,22 @@ Sides sides_of(const std::array<Point, 3>& corners, const Plane& plane, int sens
     return sides;
 }
 
+// Along a direction the distance, for a place its square: less is nearer.
+std::int64_t depth_of(const Centre& light, const Point& p) {
+    const std::int64_t w = light.w, x = light.x, y = light.y, z = light.z;
+    if (w == 0) return -(x * p.x + y * p.y + z * p.z);
+    const std::int64_t dx = p.x - x, dy = p.y - y, dz = p.z - z;
+    return dx * dx + dy * dy + dz * dz;
+}
+
 }  // namespace
+
+std::int64_t nearest_depth(const Setting& setting, std::uint32_t facet) {
+    std::int64_t depth = INT64_MAX;
+    for (const Point& p : setting.mesh.corners(facet))
+        depth = std::min(depth, depth_of(setting.light.centre, p));
+    return depth;
+}
 
 Before before(const Setting& setting, std::uint32_t f, std::uint32_t on) {
     const Mesh& mesh = setting.mesh;

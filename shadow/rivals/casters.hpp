@@ -23,6 +23,9 @@ enum class Before : std::uint8_t {
 };
 Before before(const Setting& setting, std::uint32_t f, std::uint32_t on);
 
+// How far a facet's nearest corner is from the light, as a number that grows with the distance.
+std::int64_t nearest_depth(const Setting& setting, std::uint32_t facet);
+
 struct CasterCounts {
     std::uint64_t boxes = 0;    // pairs of facets whose boxes were compared
     std::uint64_t planes = 0;   // of them, that overlap: asked for sides of planes

@@ -7,6 +7,7 @@
 
 #include "raster/drawing_cost.hpp"
 #include "shadow/rivals/appel.hpp"
+#include "shadow/rivals/atherton.hpp"
 #include "shadow/rivals/bouknight_kelley.hpp"
 #include "shadow/rivals/irregular.hpp"
 #include "shadow/rivals/ordered_volumes.hpp"
@@ -174,6 +175,20 @@ inline Work work_of(const OrderCounts& order, const PerimeterCounts& c, const Ma
                 mesh.edges.size() * cost::plane + piece_operations(c.casters, c.cuts) +
                 piece_operations({}, order.cuts),
             pixels * cost::written_pixel + mask.rows * cost::piece_row, pieces};
+}
+
+// Each loop that is left of a clip is written again. A row of a facet is cut by all its sides.
+inline Work work_of(const AthertonCounts& c, const LoopMaskCounts& mask, const Mesh& mesh,
+                    std::uint64_t pixels) {
+    const std::uint64_t facets = mesh.facets.size();
+    const ClipCounts& clips = c.clips;
+    const CutCounts signs{.cuts = clips.walks + clips.holes, .signs = clips.moved.signs};
+    return {facets * (cost::facet_side + cost::picture_facet + 3 * cost::plane_side) +
+                c.sorting * cost::compare + mesh.edges.size() * cost::plane +
+                piece_operations(c.casters, signs),
+            pixels * cost::written_pixel + mask.sides * cost::projected_edge +
+                mask.crossings * cost::listed_crossing,
+            c.loops};
 }
 
 }  // namespace umbra78::shadow::rivals

@@ -95,15 +95,22 @@ LineId LightLines::meeting(std::uint32_t on, std::uint32_t other, int side) {
     const std::size_t index = used_++;
     most_ = std::max(most_, used_);
     if (index >= meetings_.size()) return {};
-    const Plane a = setting_->mesh.plane(on), f = setting_->mesh.plane(other);
+    const Plane f = setting_->mesh.plane(other);
     const Centre& light = setting_->light.centre;
-    const Sum at_a = a.at(light), at_f = f.at(light);
-    const auto va = numbers(a), vf = numbers(f);
-    Meeting& m = meetings_[index];
-    m = {on, other, at_a, at_f, {}};
-    for (std::size_t k = 0; k < 3; ++k) m.line.v[k] = at_a * vf[k] - at_f * va[k];
+    meetings_[index] = {on, other, setting_->mesh.plane(on).at(light), f.at(light),
+                        where_cut(on, f)};
     // On A the line's value is that of F times A . L.
     return LineId::meeting(static_cast<std::uint32_t>(index), side * setting_->light.sides[on]);
+}
+
+LightLine LightLines::where_cut(std::uint32_t on, const Plane& plane) const {
+    const Plane a = setting_->mesh.plane(on);
+    const Centre& light = setting_->light.centre;
+    const Sum at_a = a.at(light), at_f = plane.at(light);
+    const auto va = numbers(a), vf = numbers(plane);
+    LightLine line;
+    for (std::size_t k = 0; k < 3; ++k) line.v[k] = at_a * vf[k] - at_f * va[k];
+    return line;
 }
 
 const LightLine& LightLines::line(LineId id) const {

@@ -44,6 +44,9 @@ public:
     constexpr std::uint32_t index() const { return (word_ & ~meeting_bit) >> 1; }
     constexpr int inside() const { return (word_ & 1) != 0 ? -1 : 1; }
     constexpr LineId turned() const { return LineId(word_ ^ 1u); }
+    // Whichever side is inside.
+    constexpr bool is_along(LineId o) const { return (word_ ^ o.word_) < 2; }
+    constexpr std::uint32_t number() const { return word_ >> 1; }  // of the line, without its side
     constexpr bool operator==(const LineId&) const = default;
 
 private:
@@ -114,6 +117,8 @@ public:
 
     ShownLine shown(std::uint32_t on, LineId id) const;
     const LightLine& line(LineId id) const;
+    // The line on a facet where a plane cuts it, as the light sees it.
+    LightLine where_cut(std::uint32_t on, const Plane& plane) const;
 
 private:
     std::array<Sum, 3> numbers(const Plane& plane) const;

@@ -31,14 +31,6 @@ OrderSpans lay_out(Carver& carver, const FragmentSize& size, std::size_t facets)
             carver.take<std::int64_t>(facets)};
 }
 
-// Along a direction the distance, for a place its square: less is nearer.
-std::int64_t depth_of(const Centre& light, const Point& p) {
-    const std::int64_t w = light.w, x = light.x, y = light.y, z = light.z;
-    if (w == 0) return -(x * p.x + y * p.y + z * p.z);
-    const std::int64_t dx = p.x - x, dy = p.y - y, dz = p.z - z;
-    return dx * dx + dy * dy + dz * dz;
-}
-
 }  // namespace
 
 std::size_t LightOrder::bytes(const FragmentSize& size, std::size_t facets) {
@@ -91,9 +83,7 @@ bool LightOrder::start(Pass& pass) {
     if (!fits_) return false;
     for (std::uint32_t f = 0; f < by_depth_.size(); ++f) {
         by_depth_[f] = f;
-        depths_[f] = INT64_MAX;
-        for (const Point& p : setting.mesh.corners(f))
-            depths_[f] = std::min(depths_[f], depth_of(setting.light.centre, p));
+        depths_[f] = nearest_depth(setting, f);
     }
     std::sort(by_depth_.begin(), by_depth_.end(), [&](std::uint32_t a, std::uint32_t b) {
         return depths_[a] != depths_[b] ? depths_[a] < depths_[b] : a < b;

@@ -67,7 +67,7 @@ TEST(Methods, TheSettingsChooseARow) {
                                                   "volumes", "ordered_volumes",
                                                   "stencil_pass", "stencil_fail",
                                                   "bouknight_kelley", "appel", "splitting",
-                                                  "perimeters", "irregular",
+                                                  "perimeters", "atherton", "irregular",
                                                   "irregular_map"}));
     Settings none;
     none.form = Form::correct;

@@ -149,4 +149,14 @@ inline std::vector<Polygons> named_scenes() {
     return all;
 }
 
+// The facets in another order, and each begun at another of its corners.
+inline Polygons in_another_order(Polygons p, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    for (std::size_t n = p.facets.size(); n > 1; --n)
+        std::swap(p.facets[n - 1], p.facets[random() % n]);
+    for (Triangle& t : p.facets)
+        std::rotate(t.vertex.begin(), t.vertex.begin() + random() % 3, t.vertex.end());
+    return p;
+}
+
 }  // namespace umbra78::shadow::rivals::test

@@ -1,6 +1,8 @@
-// The tables of shadow/rivals/object_space.md, and the rows that the program makes of them.
+// The tables of shadow/rivals/object_space.md and atherton.md, and the rows that the program makes
+// of them.
 #pragma once
 
+#include "tests/shadow/rivals/atherton.hpp"
 #include "tests/shadow/rivals/figures_scene.hpp"
 #include "tests/shadow/rivals/object_space.hpp"
 #include "tests/support/paths.hpp"
@@ -13,8 +15,9 @@ namespace umbra78::shadow::rivals::test {
 using Row = std::vector<std::uint64_t>;
 
 // The row that begins with k of the table below a heading; empty if there is none.
-inline Row published_row(const std::string& heading, int k) {
-    std::ifstream file(UMBRA78_SOURCE_DIR "/shadow/rivals/object_space.md");
+inline Row published_row(const std::string& heading, int k,
+                         const std::string& text = "object_space.md") {
+    std::ifstream file(UMBRA78_SOURCE_DIR "/shadow/rivals/" + text);
     bool here = false;
     for (std::string line; std::getline(file, line);) {
         if (line.starts_with('#')) here = line.ends_with("# " + heading);
@@ -87,6 +90,31 @@ inline void check_perimeters(const FiguresScene& scene, int k, bool in_pairs) {
     EXPECT_EQ(o.mask(), o.brute_mask(counts)) << "k " << k;
     EXPECT_EQ(o.pixels_in_pieces(), counts.points);  // each is in one piece
     expect_partition(o, scene.shown(), 97);
+}
+
+// After clip().
+inline Row outlines_row(const Outlines& o, const Setting& setting, int k) {
+    const AthertonCounts& c = o.counts();
+    const ClipCounts& clips = c.clips;
+    const SignCounts& s = clips.moved.signs;
+    return {static_cast<std::uint64_t>(k), setting.mesh.facets.size(), c.receivers,
+            c.casters.casters, c.wrong, clips.clips, clips.corners, clips.crossings, clips.walks,
+            clips.flat, clips.holes, clips.inside, s.edges + s.meetings, clips.moved.ties,
+            c.loops, c.sides, c.longest};
+}
+
+// Outlines taken away from the facets that are seen, or from all, make the published row and brute
+// force's mask.
+inline void check_outlines(const FiguresScene& scene, int k, bool only_seen) {
+    const std::size_t n = scene.setting().mesh.facets.size();
+    Outlines o(scene.setting(), scene.shown(), {256, {{256, 8192}, 1024}, {n, 4 * n + 1024}});
+    ASSERT_EQ(o.clip(only_seen), PieceStatus::ok);
+    const std::string table =
+        only_seen ? "Outlines taken away from the facets that are seen"
+                  : "Outlines taken away from all facets";
+    EXPECT_EQ(outlines_row(o, scene.setting(), k), published_row(table, k, "atherton.md"))
+        << table;
+    EXPECT_EQ(o.mask(), scene.brute_mask()) << table << ", k " << k;
 }
 
 }  // namespace umbra78::shadow::rivals::test

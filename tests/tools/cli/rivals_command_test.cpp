@@ -20,7 +20,8 @@ TEST_F(Program, RendersOfRivalsHaveOneMask) {
     std::string mask;
     for (const char* form :
          {"brute", "volumes", "ordered_volumes", "stencil_pass", "stencil_fail",
-          "bouknight_kelley", "appel", "splitting", "perimeters", "irregular"}) {
+          "bouknight_kelley", "appel", "splitting", "perimeters", "atherton",
+          "irregular"}) {
         const Ran ran = run("render " + rivals_scenes + "figures.toml" + rivals_small +
                             "--set form=" + form + " --out a.png --json");
         ASSERT_EQ(ran.exit_code, 0) << ran.err;
