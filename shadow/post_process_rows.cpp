@@ -1,11 +1,11 @@
-// The post-process a scan line at a time.
+// The post-process a scan line at a time: its shares, the plain form, and the pass.
 //
 // An affine result is floor((c_x x + c_y y + c_z z + c_1 one + half) / 2^S). On a scan line only x
 // and z change, so the sum is a column's share, a row's share and c_z z. Each share is split at
 // the binary point into a whole part and S low bits; the low bits and c_z z fit 32 bits together,
 // and floor(a 2^S + b) / 2^S = a + floor(b / 2^S) makes the result exact in 32-bit lanes.
 
-#include "shadow/post_process.hpp"
+#include "shadow/row_form.hpp"
 
 #include "fixed/dither.hpp"
 
@@ -38,25 +38,17 @@ Rounded rounded(const ShadowTest& s, const hw::MatrixWords& matrix, std::size_t 
     return {shift, half_up ? std::int64_t{1} << (shift - 1) : 0};
 }
 
-// The row's share of a result: what does not change along the scan line, and c_z.
-struct RowShare {
-    std::int32_t high, low;
-    std::int16_t z_coefficient;
-    int shift;
-};
-
-std::array<RowShare, 3> row_shares(const ShadowTest& s, const hw::MatrixWords& m, int y) {
-    std::array<RowShare, 3> out{};
+// The line's share of a result is what does not change along it.
+void set_shares(const ShadowTest& s, const hw::MatrixWords& m, RowLine& line) {
     const std::int64_t one = s.machine.one_word();
     for (std::size_t r = 0; r < 3; ++r) {
         const Rounded k = rounded(s, m, r);
-        const std::int64_t v = std::int64_t{m.word[r][1]} * pixel_words(0, y, 0, s).y +
+        const std::int64_t v = std::int64_t{m.word[r][1]} * pixel_words(0, line.y, 0, s).y +
                                m.word[r][3] * one + k.half;
-        out[r] = {static_cast<std::int32_t>(fixed::floor_shift(v, k.shift)),
-                  static_cast<std::int32_t>(v & ((std::int64_t{1} << k.shift) - 1)),
-                  static_cast<std::int16_t>(m.word[r][2]), k.shift};
+        line.share[r] = {static_cast<std::int32_t>(fixed::floor_shift(v, k.shift)),
+                         static_cast<std::int32_t>(v & ((std::int64_t{1} << k.shift) - 1)),
+                         static_cast<std::int16_t>(m.word[r][2]), k.shift};
     }
-    return out;
 }
 
 void column_shares(const ShadowTest& s, const hw::MatrixWords& m, RowMemory& memory) {
@@ -85,13 +77,14 @@ Span visible_span(const hw::Depth16* depth, std::size_t n, hw::Depth16 none) {
 }
 
 // z words are 16 bits, like the coefficient: a widening product the compiler has lanes for.
-void transform_row(const hw::Depth16* depth, Span span, const std::array<RowShare, 3>& share,
-                   std::int32_t offset, int z_up, RowMemory& memory) {
+void transform_row(const RowLine& line, Span span, RowMemory& memory) {
     for (std::size_t r = 0; r < 3; ++r) {
-        const RowShare k = share[r];
-        const std::int32_t* high = memory.column_high[r].data();
-        const std::int32_t* low = memory.column_low[r].data();
-        std::int32_t* out = memory.result[r].data();
+        const RowShare k = line.share[r];
+        const hw::Depth16* depth = line.depth;
+        const std::int32_t *high = memory.column_high[r], *low = memory.column_low[r];
+        const std::int32_t offset = line.offset;
+        const int z_up = line.z_up;
+        std::int32_t* out = memory.result[r];
         for (std::size_t x = span.first; x < span.end; ++x) {
             const auto z = static_cast<std::int16_t>((depth[x] - offset) * (1 << z_up));
             const std::int32_t product = std::int32_t{k.z_coefficient} * z;
@@ -143,10 +136,10 @@ void nearest_addresses(const hw::Depth16* depth, Span span, const hw::MachineSpe
     const int f = m.fraction_bits, xy = m.xy_bits;
     const auto offset = static_cast<std::int32_t>(m.depth_offset());
     const auto beyond = static_cast<std::int32_t>(m.background());  // also: nothing drawn
-    const std::int32_t* X = memory.result[0].data();
-    const std::int32_t* Y = memory.result[1].data();
-    std::int32_t* Z = memory.result[2].data();
-    std::int32_t* address = memory.address.data();
+    const std::int32_t* X = memory.result[0];
+    const std::int32_t* Y = memory.result[1];
+    std::int32_t* Z = memory.result[2];
+    std::int32_t* address = memory.address;
     for (std::size_t i = span.first; i < span.end; ++i) {
         const std::int32_t x = X[i] + edge, y = Y[i] + edge, code = Z[i] + offset;
         // All ones where every one of these is negative, that is: inside the light's volume.
@@ -158,13 +151,12 @@ void nearest_addresses(const hw::Depth16* depth, Span span, const hw::MachineSpe
     }
 }
 
-std::uint64_t nearest_row(const hw::Depth16* depth,
-                          const hw::FrameStore<const hw::Depth16>& light, Span span,
-                          const hw::MachineSpec& m, RowMemory& memory, std::uint8_t* mask) {
-    nearest_addresses(depth, span, m, memory);
-    const hw::Depth16* texels = light.depth.data();
-    std::int32_t* code = memory.result[2].data();
-    std::int32_t* texel = memory.result[0].data();
+std::uint32_t nearest_row(const RowLine& line, Span span, RowMemory& memory) {
+    nearest_addresses(line.depth, span, line.test->machine, memory);
+    const hw::Depth16* texels = line.texels;
+    std::uint8_t* mask = line.mask;
+    std::int32_t* code = memory.result[2];
+    std::int32_t* texel = memory.result[0];
     for (std::size_t i = span.first; i < span.end; ++i)
         texel[i] = texels[static_cast<std::uint32_t>(memory.address[i])];
     std::uint32_t shadowed = 0;
@@ -176,16 +168,14 @@ std::uint64_t nearest_row(const hw::Depth16* depth,
     return shadowed;
 }
 
-std::uint64_t bilinear_row(const hw::Depth16* depth,
-                           const hw::FrameStore<const hw::Depth16>& light, Span span,
-                           const ShadowTest& s, RowMemory& memory, std::uint8_t* mask) {
+std::uint32_t bilinear_row(const RowLine& line, Span span, RowMemory& memory) {
+    const ShadowTest& s = *line.test;
     const hw::MachineSpec& m = s.machine;
-    const LightMap<hw::Depth16> map = light_map(light, s);
+    const hw::Depth16 *depth = line.depth, *texels = line.texels;
     const std::int32_t one = 1 << m.fraction_bits, f = m.fraction_bits;
     const std::int32_t last = m.size_px() - 1, half = m.half_px();
     const auto offset = static_cast<std::int32_t>(m.depth_offset());
-    const hw::Depth16* texels = light.depth.data();
-    std::uint64_t shadowed = 0;
+    std::uint32_t shadowed = 0;
     for (std::size_t i = span.first; i < span.end; ++i) {
         bool shadow = false;
         const std::int32_t x = memory.result[0][i], y = memory.result[1][i];
@@ -209,13 +199,33 @@ std::uint64_t bilinear_row(const hw::Depth16* depth,
             shadow = static_cast<std::uint32_t>(code) << (2 * f) > blend;
         } else {
             // At the map's edge, outside the volume, or falling back: the definition itself.
-            shadow = in_shadow(map, hw::Point{x, y, memory.result[2][i], hw::DivideStatus::ok},
-                               hw::DitherWords{0, 0});
+            shadow = row_pixel_in_shadow(line, x, y, memory.result[2][i]);
         }
-        mask[i] = shadow ? mask_shadow : mask_lit;
+        line.mask[i] = shadow ? mask_shadow : mask_lit;
         shadowed += shadow;
     }
     return shadowed;
+}
+
+// What a frame's lines have in common.
+RowLine line_of(const ShadowTest& s, const LightMap<hw::Depth16>& light) {
+    const hw::MachineSpec& m = s.machine;
+    RowLine line{};
+    line.test = &s;
+    line.light = &light;
+    line.texels = light.store.depth.data();
+    line.width = m.size_px();
+    line.xy_bits = m.xy_bits;
+    line.fraction_bits = m.fraction_bits;
+    line.z_up = m.input_fraction() - m.depth_fraction();
+    line.offset = static_cast<std::int32_t>(m.depth_offset());
+    line.background = static_cast<std::int32_t>(m.background());
+    line.bilinear = hw::built(hw::Feature::bilinear) && s.lookup == Lookup::bilinear;
+    if (hw::built(hw::Feature::dither) && !hw::silent(s.dither, m)) {
+        line.uniforms = hw::uniforms(s.dither.shape);
+        line.amplitude = fixed::dither_amplitude(line.uniforms, s.dither.size_q8, m.fraction_bits);
+    }
+    return line;
 }
 
 }  // namespace
@@ -236,38 +246,72 @@ bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     return true;
 }
 
+bool lanes_cover(const ShadowTest& s) {
+    if (s.lookup == Lookup::bilinear && s.background == Background::fall_back) return false;
+    if (hw::silent(s.dither, s.machine)) return true;
+    const std::int64_t k = hw::uniforms(s.dither.shape);
+    const std::int64_t amplitude = fixed::dither_amplitude(static_cast<int>(k), s.dither.size_q8,
+                                                           s.machine.fraction_bits);
+    return 255 * k * amplitude < INT32_MAX - (1 << 15);
+}
+
+bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, std::int32_t z) {
+    return in_shadow(*line.light, hw::Point{x, y, z, hw::DivideStatus::ok}, hw::DitherWords{0, 0});
+}
+
+void start_row_noise(const RowLine& line, int x, std::uint32_t* words) {
+    fixed::NoiseRegister start(line.test->dither.seed);
+    start.jump(((static_cast<std::uint64_t>(line.y) << line.xy_bits) +
+                static_cast<std::uint64_t>(x)) * 16 * static_cast<std::uint64_t>(line.uniforms));
+    for (int i = 0; i < 31; ++i) words[i] = static_cast<std::uint32_t>(start.take(32));
+}
+
+RowCounts plain_row(const RowLine& line, RowMemory& memory) {
+    const ShadowTest& s = *line.test;
+    const auto n = static_cast<std::size_t>(line.width);
+    const auto none = static_cast<hw::Depth16>(line.background);
+    const Span span = visible_span(line.depth, n, none);
+    std::fill_n(line.mask, span.first, mask_lit);
+    std::fill_n(line.mask + span.end, n - span.end, mask_lit);
+    if (span.first == span.end) return {0, 0};  // background alone: no transform, no noise
+    std::uint32_t visible = 0;
+    for (std::size_t x = span.first; x < span.end; ++x) visible += line.depth[x] != none;
+    transform_row(line, span, memory);
+    if (line.uniforms > 0) add_dither(s, line.y, span, memory);
+    const std::uint32_t shadowed = line.bilinear ? bilinear_row(line, span, memory)
+                                                 : nearest_row(line, span, memory);
+    return {visible, shadowed};
+}
+
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
-                                    RowMemory& memory, std::span<std::uint8_t> mask) {
+                                    RowMemory& memory, std::span<std::uint8_t> mask,
+                                    const RowForm& form) {
     const hw::MachineSpec& m = settings.machine;
     check(maps, m, mask);
     fixed::require(rows_cover(settings, matrix),
                    "post-process: the row form does not cover these settings or this matrix");
-    const hw::FrameStore<const hw::Depth16>& observer = maps.observer;
-    const auto n = static_cast<std::size_t>(m.size_px());
-    const auto none = static_cast<hw::Depth16>(m.background());
+    fixed::require(form.supported(), "post-process: this processor has not the row form's lanes");
+    const LightMap<hw::Depth16> light = light_map(maps.light, settings);
+    RowLine line = line_of(settings, light);
+    const auto run = lanes_cover(settings) ? form.run : plain_row;
     column_shares(settings, matrix, memory);
     PostProcessCounts counts;
-    for (int y = 0; y < m.size_px(); ++y) {
-        const hw::Depth16* depth = observer.depth.data() + observer.address(0, y);
-        std::uint8_t* out = mask.data() + observer.address(0, y);
-        const Span span = visible_span(depth, n, none);
-        std::fill_n(out, span.first, mask_lit);
-        std::fill_n(out + span.end, n - span.end, mask_lit);
-        if (span.first == span.end) continue;  // background alone: no transform, no noise
-        std::uint32_t visible = 0;
-        for (std::size_t x = span.first; x < span.end; ++x) visible += depth[x] != none;
-        counts.visible += visible;
-        transform_row(depth, span, row_shares(settings, matrix, y),
-                      static_cast<std::int32_t>(m.depth_offset()),
-                      m.input_fraction() - m.depth_fraction(), memory);
-        if (hw::built(hw::Feature::dither) && !hw::silent(settings.dither, m))
-            add_dither(settings, y, span, memory);
-        counts.shadowed += !hw::built(hw::Feature::bilinear) || settings.lookup == Lookup::nearest
-                               ? nearest_row(depth, maps.light, span, m, memory, out)
-                               : bilinear_row(depth, maps.light, span, settings, memory, out);
+    for (line.y = 0; line.y < line.width; ++line.y) {
+        line.depth = maps.observer.depth.data() + maps.observer.address(0, line.y);
+        line.mask = mask.data() + maps.observer.address(0, line.y);
+        set_shares(settings, matrix, line);
+        const RowCounts c = run(line, memory);
+        counts.visible += c.visible;
+        counts.shadowed += c.shadowed;
     }
     return counts;
+}
+
+PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
+                                    const hw::MatrixWords& matrix, const ShadowTest& settings,
+                                    RowMemory& memory, std::span<std::uint8_t> mask) {
+    return post_process_rows(maps, matrix, settings, memory, mask, fastest_row_form());
 }
 
 }  // namespace umbra78::shadow

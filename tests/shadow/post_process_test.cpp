@@ -3,6 +3,7 @@
 #include "shadow/post_process.hpp"
 
 #include "shadow/frame/frame.hpp"
+#include "shadow/row_form.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
 #include "tests/shadow/slow_lookup.hpp"
@@ -138,17 +139,22 @@ TEST(PostProcess, WorkForNothingChangesNothing) {
 
 // --- plain against rows -------------------------------------------------------------------------
 
-// One frame by either form, from masks that held different rubbish before.
+// One frame by every form that this processor has, from masks that held different rubbish before.
 void expect_forms_agree(const DepthMaps<hw::Depth16>& maps, const hw::MatrixWords& matrix,
                         const Settings& s, const std::string& where, std::uint64_t& shadowed) {
     ASSERT_TRUE(rows_cover(s, matrix)) << where << describe(s);
     static const auto memory = std::make_unique<RowMemory>();
-    std::vector<std::uint8_t> plain(maps.observer.depth.size(), 1), rows(plain.size(), 2);
+    std::vector<std::uint8_t> plain(maps.observer.depth.size(), 1);
     const PostProcessCounts a = post_process(maps, matrix, s, plain);
-    const PostProcessCounts b = post_process_rows(maps, matrix, s, *memory, rows);
-    EXPECT_EQ(a.visible, b.visible) << where << describe(s);
-    EXPECT_EQ(a.shadowed, b.shadowed) << where << describe(s);
-    expect_same(plain, rows, maps.observer.size_px(), where + describe(s));
+    for (const RowForm& form : row_forms()) {
+        if (!form.supported()) continue;
+        std::vector<std::uint8_t> rows(plain.size(), 2);
+        const PostProcessCounts b = post_process_rows(maps, matrix, s, *memory, rows, form);
+        const std::string which = std::string(form.name) + ": " + where + describe(s);
+        EXPECT_EQ(a.visible, b.visible) << which;
+        EXPECT_EQ(a.shadowed, b.shadowed) << which;
+        expect_same(plain, rows, maps.observer.size_px(), which);
+    }
     shadowed += a.shadowed;
 }
 

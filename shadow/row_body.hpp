@@ -1,0 +1,209 @@
+// A scan line of the post-process in the lanes of a processor. shadow/row_forms.cpp includes this
+// text once for each instruction set, in a namespace that says what a Word of `lanes` numbers is
+// and names the set's operations; alone it is empty. The arithmetic is that of
+// shadow/post_process_rows.cpp, 16 pixels after 16; 16 that are all background are lit at once.
+// Not written with templates of other headers, nor with operator >>, whose meaning on lanes depends
+// on their type: `down` is the floor of v / 2^n.
+#ifdef UMBRA78_LANES
+
+constexpr int block = 16;
+
+// A row of the matrix, in all lanes.
+struct Share {
+    Word high, low, coefficient;
+    Count shift;
+    const std::int32_t *column_high, *column_low;
+};
+UMBRA78_LANES Share share_of(const RowLine& line, const RowMemory& m, int row,
+                             std::int32_t origin) {
+    const RowShare& s = line.share[row];
+    const std::int32_t coefficient = s.z_coefficient & 0xffff;  // beside 0 of the other half
+    return {all(s.high + origin), all(s.low), all(coefficient), count(s.shift),
+            m.column_high[row], m.column_low[row]};
+}
+UMBRA78_LANES Word transformed(const Share& s, Word z, int x) {
+    const Word low = load(s.column_low + x) + (s.low + sum_of_products(z, s.coefficient));
+    return load(s.column_high + x) + s.high + down(low, s.shift);
+}
+
+// What the lanes compare with.
+struct Limits {
+    Word outside;      // the bits of X or Y that are 0 inside the map
+    Word background;   // as a code
+    Word last_texel;   // its address
+    Word last_corner;  // the last X or Y, half a texel back, that has four texels
+    Word half, fraction, one, offset;
+    Count f, xy, twice_f;
+    const hw::Depth16* texels;
+    int width;
+};
+UMBRA78_LANES Limits limits_of(const RowLine& line) {
+    const int f = line.fraction_bits, width = line.width;
+    return {all(~((width << f) - 1)), all(line.background), all(width * width - 1),
+            all(((width - 1) << f) - 1), all((1 << f) / 2), all((1 << f) - 1), all(1 << f),
+            all(1 << 15), count(f), count(line.xy_bits), count(2 * f), line.texels, width};
+}
+
+struct Place {
+    Word x, y;  // from the map's upper left corner
+    Word code;
+};
+UMBRA78_LANES Mask inside_map(const Place& p, const Limits& l) {
+    return is_zero((p.x | p.y) & l.outside);
+}
+UMBRA78_LANES Word address_of(Word x, Word y, const Limits& l) {
+    return up(down(y, l.f), l.xy) + down(x, l.f);
+}
+
+// A read takes a texel and the one after it, so the last one of the map is read by itself.
+UMBRA78_LANES Word one_by_one(const hw::Depth16* texels, Word address, Mask some) {
+    alignas(64) std::int32_t at[lanes];
+    store(at, keep(address, some));
+    for (int i = 0; i < lanes; ++i) at[i] = texels[at[i]];
+    return load(at);
+}
+UMBRA78_LANES Mask nearest(const Place& p, Mask visible, const Limits& l) {
+    const Mask some = both(visible, inside_map(p, l));
+    const Word address = address_of(p.x, p.y, l);
+    const Word texel = any(both(some, equal(address, l.last_texel)))
+                           ? one_by_one(l.texels, address, some)
+                           : low_half(pairs(l.texels, address, some));
+    // A code below 0 is greater than no texel.
+    return both(some, both(less(texel, p.code), less(p.code, l.background)));
+}
+
+// Lanes whose four texels are not all on the map.
+UMBRA78_LANES Mask at_edge(const RowLine& line, const Place& p, Mask some) {
+    alignas(64) std::int32_t x[lanes], y[lanes], code[lanes], dark[lanes];
+    const std::int32_t edge = line.width / 2 << line.fraction_bits;
+    store(x, p.x);
+    store(y, p.y);
+    store(code, p.code);
+    store(dark, keep(all(-1), some));
+    for (int i = 0; i < lanes; ++i)
+        if (dark[i] != 0 &&
+            !row_pixel_in_shadow(line, x[i] - edge, y[i] - edge, code[i] - line.offset))
+            dark[i] = 0;
+    return less(load(dark), all(0));
+}
+
+// blend = 2^F u + fy (l - u) with u and l along x. Products take signed halves, so every texel is
+// 2^15 less, which makes the blend 2^15 2^(2 F) less; so is the code.
+UMBRA78_LANES Mask bilinear(const RowLine& line, const Place& p, Mask visible, const Limits& l) {
+    const Word x = p.x - l.half, y = p.y - l.half;
+    const Mask drawn = both(visible, inside_map(p, l));
+    const Mask some = both(drawn, not_negative(x | y | (l.last_corner - x) | (l.last_corner - y)));
+    const Word address = address_of(x, y, l);
+    const Word fx = x & l.fraction, fy = y & l.fraction;
+    const Word weights = up16(fx) + (l.one - fx);
+    const Word upper = sum_of_products(signed_halves(pairs(l.texels, address, some)), weights);
+    const Word lower =
+        sum_of_products(signed_halves(pairs(l.texels + l.width, address, some)), weights);
+    const Word blend = up(upper, l.f) + product(lower - upper, fy);
+    const Mask dark = both(less(blend, up(p.code - l.offset, l.twice_f)),
+                           less(p.code, l.background));
+    const Mask in_lanes = both(some, both(dark, less(all(-1), p.code)));
+    const Mask others = without(drawn, some);
+    return any(others) ? either(in_lanes, at_edge(line, p, others)) : in_lanes;
+}
+
+// --- noise --------------------------------------------------------------------------------------
+
+// The noise register's recurrence b[n] = b[n-31] ^ b[n-28] holds for whole words, too: over GF(2)
+// the power 32 of its polynomial has as many terms, 32 times as far apart; and so on for each power
+// of 2. Longer steps read what was written long before.
+static void draw_bits(const RowLine& line, int x, int words, std::uint32_t* bits) {
+    start_row_noise(line, x, bits);
+    for (int step = 1; 31 * step < words; step *= 2) {
+        const int end = 62 * step < words ? 62 * step : words;
+        const std::uint32_t *back31 = bits, *back28 = bits + 3 * step;
+        std::uint32_t* out = bits + 31 * step;
+#pragma GCC ivdep
+        for (int i = 0; i < end - 31 * step; ++i) out[i] = back31[i] ^ back28[i];
+    }
+}
+
+// Dither words of the pixels from x to end: X in the low half, Y in the high one.
+static void draw_noise(const RowLine& line, int x, int end, RowMemory& m) {
+    const int k = line.uniforms, words = (end - x) * k / 2;
+    std::uint32_t* bits = m.noise_bits;
+    std::uint16_t* sum = m.noise_sums;
+    draw_bits(line, x, words, bits);
+    constexpr std::uint32_t even = 0x00ff00ff;
+    if (k == 1) {
+        for (int i = 0; i < 4 * words; ++i) sum[i] = bits[i / 4] >> (i % 4 * 8) & 255u;
+    } else if (k == 2) {
+        for (int i = 0; i < 2 * words; ++i) {
+            const std::uint32_t pair = bits[i / 2] >> (i % 2 * 16);
+            sum[i] = static_cast<std::uint16_t>((pair & 255u) + (pair >> 8 & 255u));
+        }
+    } else {
+        for (int i = 0; i < words; ++i) {
+            const std::uint32_t pairs_sum = (bits[i] & even) + (bits[i] >> 8 & even);
+            sum[i] = static_cast<std::uint16_t>((pairs_sum & 0xffff) + (pairs_sum >> 16));
+        }
+    }
+    std::int16_t* noise = m.noise + 2 * x;
+    const std::int32_t amplitude = line.amplitude, mean = 255 * k;
+    for (int i = 0; i < 2 * (end - x); ++i) {
+        const std::int32_t s = k == 12 ? sum[3 * i] + sum[3 * i + 1] + sum[3 * i + 2] : sum[i];
+        const auto scaled = static_cast<std::uint32_t>((2 * s - mean) * amplitude + (1 << 15));
+        noise[i] = static_cast<std::int16_t>(scaled >> 16);
+    }
+}
+
+// --- the line -----------------------------------------------------------------------------------
+
+UMBRA78_LANES bool all_background(const hw::Depth16* depth, const CodeRule& rule) {
+    bool none = true;
+    for (int i = 0; i < block; i += lanes) none = none && !any(codes(depth + i, rule).visible);
+    return none;
+}
+
+// Inlined with constant flags, for each of which the loop is compiled by itself.
+UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, bool four, bool dithered) {
+    const hw::Depth16* depth = line.depth;
+    std::uint8_t* mask = line.mask;
+    const CodeRule rule = code_rule(line);
+    int x = 0, end = line.width;
+    if (dithered) {
+        while (x < end && all_background(depth + x, rule)) x += block;
+        while (end > x && all_background(depth + end - block, rule)) end -= block;
+        if (x < end) draw_noise(line, x, end, m);
+        for (int i = 0; i < x; ++i) mask[i] = 0;
+        for (int i = end; i < line.width; ++i) mask[i] = 0;
+    }
+    const std::int32_t edge = line.width / 2 << line.fraction_bits;
+    const Share X = share_of(line, m, 0, edge), Y = share_of(line, m, 1, edge);
+    const Share Z = share_of(line, m, 2, line.offset);
+    const Limits limits = limits_of(line);
+    Counter visible{}, shadowed{};
+    for (; x < end; x += lanes) {
+        const Codes c = codes(depth + x, rule);
+        if (!any(c.visible)) {
+            store_mask(mask + x, Mask{});
+            continue;
+        }
+        Place p{transformed(X, c.z, x), transformed(Y, c.z, x), transformed(Z, c.z, x)};
+        if (dithered) {
+            const Word noise = load(m.noise + 2 * x);
+            p.x += down16(up16(noise));
+            p.y += down16(noise);
+        }
+        const Mask dark =
+            four ? bilinear(line, p, c.visible, limits) : nearest(p, c.visible, limits);
+        store_mask(mask + x, dark);
+        add(visible, c.visible);
+        add(shadowed, dark);
+    }
+    return {total(visible), total(shadowed)};
+}
+
+static RowCounts run(const RowLine& line, RowMemory& m) {
+    const bool dithered = line.uniforms > 0;
+    if (line.bilinear)
+        return dithered ? run_line(line, m, true, true) : run_line(line, m, true, false);
+    return dithered ? run_line(line, m, false, true) : run_line(line, m, false, false);
+}
+
+#endif
