@@ -4,12 +4,15 @@
 // and z change, so the sum is a column's share, a row's share and c_z z. Each share is split at
 // the binary point into a whole part and S low bits; the low bits and c_z z fit 32 bits together,
 // and floor(a 2^S + b) / 2^S = a + floor(b / 2^S) makes the result exact in 32-bit lanes.
+// Where 32 bits without a sign hold every sum of the frame, counted from the map's corner, the
+// lanes have all bits as low ones: a rotation seldom needs more.
 
 #include "shadow/row_form.hpp"
 
 #include "fixed/dither.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace umbra78::shadow {
 namespace {
@@ -38,28 +41,66 @@ Rounded rounded(const ShadowTest& s, const hw::MatrixWords& matrix, std::size_t 
     return {shift, half_up ? std::int64_t{1} << (shift - 1) : 0};
 }
 
-// The line's share of a result is what does not change along it.
-void set_shares(const ShadowTest& s, const hw::MatrixWords& m, RowLine& line) {
-    const std::int64_t one = s.machine.one_word();
+// A bound of the dither words, before their last 16 bits are rounded off.
+std::int64_t largest_scaled_dither(const ShadowTest& s) {
+    if (hw::silent(s.dither, s.machine)) return 0;
+    const int k = hw::uniforms(s.dither.shape);
+    return std::int64_t{255} * k *
+               fixed::dither_amplitude(k, s.dither.size_q8, s.machine.fraction_bits) + (1 << 15);
+}
+std::int64_t largest_dither(const ShadowTest& s) {
+    return fixed::floor_shift(largest_scaled_dither(s), 16) + 1;
+}
+
+constexpr std::int64_t magnitude_of(std::int64_t v) { return v < 0 ? -v : v; }
+
+// With c the map's corner, B the bound of a sum by absolute values, and all modulo 2^32: a place
+// inside the map, 0 <= sum + c < 2 c, is no other place's word if B + c < 2^32.
+bool fits_whole(const ShadowTest& s, const hw::MatrixWords& m) {
+    const std::int64_t largest = std::int64_t{1} << (s.machine.word_bits() - 1);
+    const std::int64_t dither = largest_dither(s);
     for (std::size_t r = 0; r < 3; ++r) {
+        const auto& c = m.word[r];
         const Rounded k = rounded(s, m, r);
-        const std::int64_t v = std::int64_t{m.word[r][1]} * pixel_words(0, line.y, 0, s).y +
-                               m.word[r][3] * one + k.half;
-        line.share[r] = {static_cast<std::int32_t>(fixed::floor_shift(v, k.shift)),
-                         static_cast<std::int32_t>(v & ((std::int64_t{1} << k.shift) - 1)),
-                         static_cast<std::int16_t>(m.word[r][2]), k.shift};
+        const std::int64_t coefficients = magnitude_of(c[0]) + magnitude_of(c[1]) +
+                                          magnitude_of(c[2]);
+        const std::int64_t corner = r == 2 ? s.machine.depth_offset() : volume_edge(s.machine);
+        const std::int64_t bound = coefficients * largest +
+                                   magnitude_of(c[3]) * s.machine.one_word() + k.half +
+                                   ((corner + (r == 2 ? 0 : dither)) << k.shift);
+        if (bound > UINT32_MAX) return false;
+    }
+    return true;
+}
+
+struct Split {
+    std::int32_t high, low;
+};
+Split split(std::int64_t v, int shift, bool whole) {
+    if (whole) return {0, static_cast<std::int32_t>(v)};
+    return {static_cast<std::int32_t>(fixed::floor_shift(v, shift)),
+            static_cast<std::int32_t>(v & ((std::int64_t{1} << shift) - 1))};
+}
+
+// The line's share of a result is what does not change along it.
+void set_shares(const hw::MatrixWords& m, const std::array<Rounded, 3>& rounding, RowLine& line) {
+    const ShadowTest& s = *line.test;
+    const std::int64_t y = pixel_words(0, line.y, 0, s).y, one = s.machine.one_word();
+    for (std::size_t r = 0; r < 3; ++r) {
+        const Rounded k = rounding[r];
+        const Split v = split(m.word[r][1] * y + m.word[r][3] * one + k.half, k.shift, line.whole);
+        line.share[r] = {v.high, v.low, static_cast<std::int16_t>(m.word[r][2]), k.shift};
     }
 }
 
-void column_shares(const ShadowTest& s, const hw::MatrixWords& m, RowMemory& memory) {
+void column_shares(const ShadowTest& s, const hw::MatrixWords& m, bool whole, RowMemory& memory) {
     for (std::size_t r = 0; r < 3; ++r) {
         const int shift = rounded(s, m, r).shift;
         for (int x = 0; x < s.machine.size_px(); ++x) {
-            const std::int64_t v = std::int64_t{m.word[r][0]} * pixel_words(x, 0, 0, s).x;
-            const auto i = static_cast<std::size_t>(x);
-            memory.column_high[r][i] = static_cast<std::int32_t>(fixed::floor_shift(v, shift));
-            memory.column_low[r][i] =
-                static_cast<std::int32_t>(v & ((std::int64_t{1} << shift) - 1));
+            const Split v =
+                split(std::int64_t{m.word[r][0]} * pixel_words(x, 0, 0, s).x, shift, whole);
+            memory.column_high[r][x] = v.high;
+            memory.column_low[r][x] = v.low;
         }
     }
 }
@@ -248,11 +289,7 @@ bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
 
 bool lanes_cover(const ShadowTest& s) {
     if (s.lookup == Lookup::bilinear && s.background == Background::fall_back) return false;
-    if (hw::silent(s.dither, s.machine)) return true;
-    const std::int64_t k = hw::uniforms(s.dither.shape);
-    const std::int64_t amplitude = fixed::dither_amplitude(static_cast<int>(k), s.dither.size_q8,
-                                                           s.machine.fraction_bits);
-    return 255 * k * amplitude < INT32_MAX - (1 << 15);
+    return largest_scaled_dither(s) <= INT32_MAX;
 }
 
 bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, std::int32_t z) {
@@ -295,12 +332,16 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
     const LightMap<hw::Depth16> light = light_map(maps.light, settings);
     RowLine line = line_of(settings, light);
     const auto run = lanes_cover(settings) ? form.run : plain_row;
-    column_shares(settings, matrix, memory);
+    line.whole = run != plain_row && fits_whole(settings, matrix);
+    column_shares(settings, matrix, line.whole, memory);
+    const std::array<Rounded, 3> rounding{rounded(settings, matrix, 0),
+                                          rounded(settings, matrix, 1),
+                                          rounded(settings, matrix, 2)};
     PostProcessCounts counts;
     for (line.y = 0; line.y < line.width; ++line.y) {
         line.depth = maps.observer.depth.data() + maps.observer.address(0, line.y);
         line.mask = mask.data() + maps.observer.address(0, line.y);
-        set_shares(settings, matrix, line);
+        set_shares(matrix, rounding, line);
         const RowCounts c = run(line, memory);
         counts.visible += c.visible;
         counts.shadowed += c.shadowed;

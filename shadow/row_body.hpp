@@ -8,7 +8,7 @@
 
 constexpr int block = 16;
 
-// A row of the matrix, in all lanes.
+// A row of the matrix, in all lanes. Its results count from `origin`, the map's corner.
 struct Share {
     Word high, low, coefficient;
     Count shift;
@@ -18,12 +18,25 @@ UMBRA78_LANES Share share_of(const RowLine& line, const RowMemory& m, int row,
                              std::int32_t origin) {
     const RowShare& s = line.share[row];
     const std::int32_t coefficient = s.z_coefficient & 0xffff;  // beside 0 of the other half
-    return {all(s.high + origin), all(s.low), all(coefficient), count(s.shift),
+    const std::uint32_t from = line.whole ? static_cast<std::uint32_t>(origin) << s.shift : 0;
+    const auto low = static_cast<std::int32_t>(static_cast<std::uint32_t>(s.low) + from);
+    return {all(s.high + origin), all(low), all(coefficient), count(s.shift),
             m.column_high[row], m.column_low[row]};
 }
-UMBRA78_LANES Word transformed(const Share& s, Word z, int x) {
-    const Word low = load(s.column_low + x) + (s.low + sum_of_products(z, s.coefficient));
-    return load(s.column_high + x) + s.high + down(low, s.shift);
+UMBRA78_LANES Word sum_at(const Share& s, Word z, int x) {
+    return load(s.column_low + x) + (s.low + sum_of_products(z, s.coefficient));
+}
+UMBRA78_LANES Word rounded(const Share& s, Word sum, int x, bool whole) {
+    return whole ? down_unsigned(sum, s.shift)
+                 : load(s.column_high + x) + s.high + down(sum, s.shift);
+}
+UMBRA78_LANES Word transformed(const Share& s, Word z, int x, bool whole) {
+    return rounded(s, sum_at(s, z, x), x, whole);
+}
+// The dither is added where the sum is modulo 2^32: before its last bits are rounded off.
+UMBRA78_LANES Word dithered_place(const Share& s, Word z, int x, bool whole, Word dither) {
+    return whole ? rounded(s, sum_at(s, z, x) + up(dither, s.shift), x, true)
+                 : rounded(s, sum_at(s, z, x), x, false) + dither;
 }
 
 // What the lanes compare with.
@@ -32,7 +45,7 @@ struct Limits {
     Word background;   // as a code
     Word last_texel;   // its address
     Word last_corner;  // the last X or Y, half a texel back, that has four texels
-    Word half, fraction, one, offset;
+    Word half, fraction, one, offset;  // half a texel
     Count f, xy, twice_f;
     const hw::Depth16* texels;
     int width;
@@ -65,11 +78,13 @@ UMBRA78_LANES Word one_by_one(const hw::Depth16* texels, Word address, Mask some
 UMBRA78_LANES Mask nearest(const Place& p, Mask visible, const Limits& l) {
     const Mask some = both(visible, inside_map(p, l));
     const Word address = address_of(p.x, p.y, l);
-    const Word texel = any(both(some, equal(address, l.last_texel)))
-                           ? one_by_one(l.texels, address, some)
-                           : low_half(pairs(l.texels, address, some));
+    Word texel;
+    if (any(both(some, equal(address, l.last_texel)))) [[unlikely]]
+        texel = one_by_one(l.texels, address, some);
+    else
+        texel = low_half(pairs(l.texels, address, some));
     // A code below 0 is greater than no texel.
-    return both(some, both(less(texel, p.code), less(p.code, l.background)));
+    return both(both(some, less(texel, p.code)), less(p.code, l.background));
 }
 
 // Lanes whose four texels are not all on the map.
@@ -91,8 +106,8 @@ UMBRA78_LANES Mask at_edge(const RowLine& line, const Place& p, Mask some) {
 // 2^15 less, which makes the blend 2^15 2^(2 F) less; so is the code.
 UMBRA78_LANES Mask bilinear(const RowLine& line, const Place& p, Mask visible, const Limits& l) {
     const Word x = p.x - l.half, y = p.y - l.half;
-    const Mask drawn = both(visible, inside_map(p, l));
-    const Mask some = both(drawn, not_negative(x | y | (l.last_corner - x) | (l.last_corner - y)));
+    const Mask some =
+        both(visible, not_negative(x | y | (l.last_corner - x) | (l.last_corner - y)));
     const Word address = address_of(x, y, l);
     const Word fx = x & l.fraction, fy = y & l.fraction;
     const Word weights = up16(fx) + (l.one - fx);
@@ -100,11 +115,11 @@ UMBRA78_LANES Mask bilinear(const RowLine& line, const Place& p, Mask visible, c
     const Word lower =
         sum_of_products(signed_halves(pairs(l.texels + l.width, address, some)), weights);
     const Word blend = up(upper, l.f) + product(lower - upper, fy);
-    const Mask dark = both(less(blend, up(p.code - l.offset, l.twice_f)),
-                           less(p.code, l.background));
-    const Mask in_lanes = both(some, both(dark, less(all(-1), p.code)));
-    const Mask others = without(drawn, some);
-    return any(others) ? either(in_lanes, at_edge(line, p, others)) : in_lanes;
+    const Mask dark = both(both(some, less(blend, up(p.code - l.offset, l.twice_f))),
+                           in_range(p.code, l.background));
+    if (!any(without(visible, some))) return dark;
+    const Mask others = without(both(visible, inside_map(p, l)), some);
+    return any(others) ? either(dark, at_edge(line, p, others)) : dark;
 }
 
 // --- noise --------------------------------------------------------------------------------------
@@ -161,7 +176,8 @@ UMBRA78_LANES bool all_background(const hw::Depth16* depth, const CodeRule& rule
 }
 
 // Inlined with constant flags, for each of which the loop is compiled by itself.
-UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, bool four, bool dithered) {
+UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, bool whole, bool four,
+                                 bool dithered) {
     const hw::Depth16* depth = line.depth;
     std::uint8_t* mask = line.mask;
     const CodeRule rule = code_rule(line);
@@ -184,12 +200,16 @@ UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, bool four, b
             store_mask(mask + x, Mask{});
             continue;
         }
-        Place p{transformed(X, c.z, x), transformed(Y, c.z, x), transformed(Z, c.z, x)};
+        Place p;
         if (dithered) {
             const Word noise = load(m.noise + 2 * x);
-            p.x += down16(up16(noise));
-            p.y += down16(noise);
+            p.x = dithered_place(X, c.z, x, whole, down16(up16(noise)));
+            p.y = dithered_place(Y, c.z, x, whole, down16(noise));
+        } else {
+            p.x = transformed(X, c.z, x, whole);
+            p.y = transformed(Y, c.z, x, whole);
         }
+        p.code = transformed(Z, c.z, x, whole);
         const Mask dark =
             four ? bilinear(line, p, c.visible, limits) : nearest(p, c.visible, limits);
         store_mask(mask + x, dark);
@@ -199,11 +219,15 @@ UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, bool four, b
     return {total(visible), total(shadowed)};
 }
 
+UMBRA78_LANES RowCounts run_lookup(const RowLine& line, RowMemory& m, bool four) {
+    if (line.uniforms > 0)
+        return line.whole ? run_line(line, m, true, four, true)
+                          : run_line(line, m, false, four, true);
+    return line.whole ? run_line(line, m, true, four, false)
+                      : run_line(line, m, false, four, false);
+}
 static RowCounts run(const RowLine& line, RowMemory& m) {
-    const bool dithered = line.uniforms > 0;
-    if (line.bilinear)
-        return dithered ? run_line(line, m, true, true) : run_line(line, m, true, false);
-    return dithered ? run_line(line, m, false, true) : run_line(line, m, false, false);
+    return line.bilinear ? run_lookup(line, m, true) : run_lookup(line, m, false);
 }
 
 #endif

@@ -33,6 +33,7 @@ struct RowLine {
     int z_up;             // z words are (code - offset) 2^z_up
     std::int32_t offset;  // the code of Z = 0
     std::int32_t background;
+    bool whole;  // the shares' high parts are 0, their low ones modulo 2^32
     bool bilinear;
     int uniforms;  // bytes in a dither word, 0: none
     std::int32_t amplitude;

@@ -19,7 +19,7 @@ namespace umbra78::shadow {
 namespace sse2 {
 
 constexpr int lanes = 4;
-typedef std::int32_t Word __attribute__((vector_size(16)));
+typedef std::uint32_t Word __attribute__((vector_size(16)));
 typedef Word Mask;     // -1 or 0
 typedef Word Counter;  // of each lane, downward
 typedef __m128i Count;
@@ -30,6 +30,7 @@ UMBRA78_LANES Count count(int n) { return _mm_cvtsi32_si128(n); }
 UMBRA78_LANES Word load(const void* at) { return (Word)_mm_loadu_si128((const __m128i*)at); }
 UMBRA78_LANES void store(void* at, Word v) { _mm_storeu_si128((__m128i*)at, raw(v)); }
 UMBRA78_LANES Word down(Word v, Count n) { return (Word)_mm_sra_epi32(raw(v), n); }
+UMBRA78_LANES Word down_unsigned(Word v, Count n) { return (Word)_mm_srl_epi32(raw(v), n); }
 UMBRA78_LANES Word up(Word v, Count n) { return (Word)_mm_sll_epi32(raw(v), n); }
 UMBRA78_LANES Word down16(Word v) { return (Word)_mm_srai_epi32(raw(v), 16); }
 UMBRA78_LANES Word up16(Word v) { return (Word)_mm_slli_epi32(raw(v), 16); }
@@ -49,6 +50,7 @@ UMBRA78_LANES Mask not_negative(Word v) { return less(all(-1), v); }
 UMBRA78_LANES Mask both(Mask a, Mask b) { return a & b; }
 UMBRA78_LANES Mask either(Mask a, Mask b) { return a | b; }
 UMBRA78_LANES Mask without(Mask a, Mask b) { return a & ~b; }
+UMBRA78_LANES Mask in_range(Word v, Word end) { return less(all(-1), v) & less(v, end); }
 UMBRA78_LANES bool any(Mask m) { return _mm_movemask_epi8(raw(m)) != 0; }
 UMBRA78_LANES Word keep(Word v, Mask m) { return v & m; }
 
@@ -69,7 +71,7 @@ UMBRA78_LANES Codes codes(const hw::Depth16* at, const CodeRule& rule) {
     const __m128i z = _mm_sll_epi16(_mm_sub_epi16(code, rule.offset), rule.z_up);
     return {(Word)_mm_unpacklo_epi16(z, z), ~(Mask)_mm_unpacklo_epi16(none, none)};
 }
-UMBRA78_LANES __m128i pair(const hw::Depth16* texels, int at) {
+UMBRA78_LANES __m128i pair(const hw::Depth16* texels, std::uint32_t at) {
     std::int32_t two;
     __builtin_memcpy(&two, texels + at, sizeof two);
     return _mm_cvtsi32_si128(two);
@@ -87,7 +89,7 @@ UMBRA78_LANES void store_mask(std::uint8_t* at, Mask m) {
 }
 UMBRA78_LANES void add(Counter& c, Mask m) { c += m; }
 UMBRA78_LANES std::uint32_t total(Counter c) {
-    return static_cast<std::uint32_t>(-(c[0] + c[1] + c[2] + c[3]));
+    return 0 - (c[0] + c[1] + c[2] + c[3]);
 }
 
 #include "shadow/row_body.hpp"
@@ -105,7 +107,7 @@ UMBRA78_LANES std::uint32_t total(Counter c) {
 namespace avx2 {
 
 constexpr int lanes = 8;
-typedef std::int32_t Word __attribute__((vector_size(32)));
+typedef std::uint32_t Word __attribute__((vector_size(32)));
 typedef Word Mask;
 typedef Word Counter;
 typedef Word Count;
@@ -116,6 +118,9 @@ UMBRA78_LANES Count count(int n) { return all(n); }
 UMBRA78_LANES Word load(const void* at) { return (Word)_mm256_loadu_si256((const __m256i*)at); }
 UMBRA78_LANES void store(void* at, Word v) { _mm256_storeu_si256((__m256i*)at, raw(v)); }
 UMBRA78_LANES Word down(Word v, Count n) { return (Word)_mm256_srav_epi32(raw(v), raw(n)); }
+UMBRA78_LANES Word down_unsigned(Word v, Count n) {
+    return (Word)_mm256_srlv_epi32(raw(v), raw(n));
+}
 UMBRA78_LANES Word up(Word v, Count n) { return (Word)_mm256_sllv_epi32(raw(v), raw(n)); }
 UMBRA78_LANES Word down16(Word v) { return (Word)_mm256_srai_epi32(raw(v), 16); }
 UMBRA78_LANES Word up16(Word v) { return (Word)_mm256_slli_epi32(raw(v), 16); }
@@ -135,6 +140,7 @@ UMBRA78_LANES Mask not_negative(Word v) { return less(all(-1), v); }
 UMBRA78_LANES Mask both(Mask a, Mask b) { return a & b; }
 UMBRA78_LANES Mask either(Mask a, Mask b) { return a | b; }
 UMBRA78_LANES Mask without(Mask a, Mask b) { return a & ~b; }
+UMBRA78_LANES Mask in_range(Word v, Word end) { return less(all(-1), v) & less(v, end); }
 UMBRA78_LANES bool any(Mask m) { return _mm256_movemask_epi8(raw(m)) != 0; }
 UMBRA78_LANES Word keep(Word v, Mask m) { return v & m; }
 
@@ -166,8 +172,7 @@ UMBRA78_LANES void store_mask(std::uint8_t* at, Mask m) {
 }
 UMBRA78_LANES void add(Counter& c, Mask m) { c += m; }
 UMBRA78_LANES std::uint32_t total(Counter c) {
-    return static_cast<std::uint32_t>(
-        -(c[0] + c[1] + c[2] + c[3] + c[4] + c[5] + c[6] + c[7]));
+    return 0 - (c[0] + c[1] + c[2] + c[3] + c[4] + c[5] + c[6] + c[7]);
 }
 
 #include "shadow/row_body.hpp"
@@ -191,9 +196,9 @@ UMBRA78_LANES std::uint32_t total(Counter c) {
 namespace avx512 {
 
 constexpr int lanes = 16;
-typedef std::int32_t Word __attribute__((vector_size(64)));
+typedef std::uint32_t Word __attribute__((vector_size(64)));
 typedef __mmask16 Mask;
-typedef std::uint32_t Counter;
+typedef __m128i Counter;  // bytes, of at most 32 blocks
 typedef Word Count;
 UMBRA78_LANES __m512i raw(Word v) { return (__m512i)v; }
 
@@ -202,6 +207,9 @@ UMBRA78_LANES Count count(int n) { return all(n); }
 UMBRA78_LANES Word load(const void* at) { return (Word)_mm512_loadu_si512(at); }
 UMBRA78_LANES void store(void* at, Word v) { _mm512_storeu_si512(at, raw(v)); }
 UMBRA78_LANES Word down(Word v, Count n) { return (Word)_mm512_srav_epi32(raw(v), raw(n)); }
+UMBRA78_LANES Word down_unsigned(Word v, Count n) {
+    return (Word)_mm512_srlv_epi32(raw(v), raw(n));
+}
 UMBRA78_LANES Word up(Word v, Count n) { return (Word)_mm512_sllv_epi32(raw(v), raw(n)); }
 UMBRA78_LANES Word down16(Word v) { return (Word)_mm512_srai_epi32(raw(v), 16); }
 UMBRA78_LANES Word up16(Word v) { return (Word)_mm512_slli_epi32(raw(v), 16); }
@@ -221,6 +229,9 @@ UMBRA78_LANES Mask not_negative(Word v) { return (Mask)~_mm512_movepi32_mask(raw
 UMBRA78_LANES Mask both(Mask a, Mask b) { return a & b; }
 UMBRA78_LANES Mask either(Mask a, Mask b) { return a | b; }
 UMBRA78_LANES Mask without(Mask a, Mask b) { return (Mask)(a & ~b); }
+UMBRA78_LANES Mask in_range(Word v, Word end) {  // 0 <= v < end
+    return _mm512_cmplt_epu32_mask(raw(v), raw(end));
+}
 UMBRA78_LANES bool any(Mask m) { return m != 0; }
 UMBRA78_LANES Word keep(Word v, Mask m) { return (Word)_mm512_maskz_mov_epi32(m, raw(v)); }
 
@@ -248,8 +259,11 @@ UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
 UMBRA78_LANES void store_mask(std::uint8_t* at, Mask m) {
     _mm_storeu_si128((__m128i*)at, _mm_movm_epi8(m));
 }
-UMBRA78_LANES void add(Counter& c, Mask m) { c += (std::uint32_t)__builtin_popcount(m); }
-UMBRA78_LANES std::uint32_t total(Counter c) { return c; }
+UMBRA78_LANES void add(Counter& c, Mask m) { c = _mm_sub_epi8(c, _mm_movm_epi8(m)); }
+UMBRA78_LANES std::uint32_t total(Counter c) {
+    const __m128i sums = _mm_sad_epu8(c, _mm_setzero_si128());
+    return (std::uint32_t)(_mm_extract_epi16(sums, 0) + _mm_extract_epi16(sums, 4));
+}
 
 #include "shadow/row_body.hpp"
 
