@@ -94,13 +94,14 @@ void set_shares(const hw::MatrixWords& m, const std::array<Rounded, 3>& rounding
 }
 
 void column_shares(const ShadowTest& s, const hw::MatrixWords& m, bool whole, RowMemory& memory) {
+    const std::int64_t first = pixel_words(0, 0, 0, s).x, step = pixel_words(1, 0, 0, s).x - first;
     for (std::size_t r = 0; r < 3; ++r) {
         const int shift = rounded(s, m, r).shift;
-        for (int x = 0; x < s.machine.size_px(); ++x) {
-            const Split v =
-                split(std::int64_t{m.word[r][0]} * pixel_words(x, 0, 0, s).x, shift, whole);
-            memory.column_high[r][x] = v.high;
-            memory.column_low[r][x] = v.low;
+        std::int64_t v = m.word[r][0] * first;
+        for (int x = 0; x < s.machine.size_px(); ++x, v += m.word[r][0] * step) {
+            const Split parts = split(v, shift, whole);
+            memory.column_high[r][x] = parts.high;
+            memory.column_low[r][x] = parts.low;
         }
     }
 }

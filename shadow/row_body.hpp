@@ -6,7 +6,7 @@
 // on their type: `down` is the floor of v / 2^n.
 #ifdef UMBRA78_LANES
 
-constexpr int block = 16;
+constexpr int block = 16, parts = block / lanes;
 
 // A row of the matrix, in all lanes. Its results count from `origin`, the map's corner.
 struct Share {
@@ -76,15 +76,15 @@ UMBRA78_LANES Word one_by_one(const hw::Depth16* texels, Word address, Mask some
     return load(at);
 }
 UMBRA78_LANES Mask nearest(const Place& p, Mask visible, const Limits& l) {
-    const Mask some = both(visible, inside_map(p, l));
+    // A code below 0 is greater than no texel.
+    const Mask some = both(both(visible, inside_map(p, l)), less(p.code, l.background));
     const Word address = address_of(p.x, p.y, l);
     Word texel;
     if (any(both(some, equal(address, l.last_texel)))) [[unlikely]]
         texel = one_by_one(l.texels, address, some);
     else
         texel = low_half(pairs(l.texels, address, some));
-    // A code below 0 is greater than no texel.
-    return both(both(some, less(texel, p.code)), less(p.code, l.background));
+    return both(some, less(texel, p.code));
 }
 
 // Lanes whose four texels are not all on the map.
@@ -170,9 +170,17 @@ static void draw_noise(const RowLine& line, int x, int end, RowMemory& m) {
 // --- the line -----------------------------------------------------------------------------------
 
 UMBRA78_LANES bool all_background(const hw::Depth16* depth, const CodeRule& rule) {
-    bool none = true;
-    for (int i = 0; i < block; i += lanes) none = none && !any(codes(depth + i, rule).visible);
-    return none;
+    Codes c[parts];
+    return !read_codes(depth, rule, c);
+}
+
+UMBRA78_LANES Place place_of(const Share* s, Word z, const RowMemory& m, int x, bool whole,
+                             bool dithered) {
+    const Word code = transformed(s[2], z, x, whole);
+    if (!dithered) return {transformed(s[0], z, x, whole), transformed(s[1], z, x, whole), code};
+    const Word noise = load(m.noise + 2 * x);
+    return {dithered_place(s[0], z, x, whole, down16(up16(noise))),
+            dithered_place(s[1], z, x, whole, down16(noise)), code};
 }
 
 // Inlined with constant flags, for each of which the loop is compiled by itself.
@@ -190,31 +198,24 @@ UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, bool whole, 
         for (int i = end; i < line.width; ++i) mask[i] = 0;
     }
     const std::int32_t edge = line.width / 2 << line.fraction_bits;
-    const Share X = share_of(line, m, 0, edge), Y = share_of(line, m, 1, edge);
-    const Share Z = share_of(line, m, 2, line.offset);
+    const Share shares[3] = {share_of(line, m, 0, edge), share_of(line, m, 1, edge),
+                             share_of(line, m, 2, line.offset)};
     const Limits limits = limits_of(line);
     Counter visible{}, shadowed{};
-    for (; x < end; x += lanes) {
-        const Codes c = codes(depth + x, rule);
-        if (!any(c.visible)) {
-            store_mask(mask + x, Mask{});
-            continue;
+    for (; x < end; x += block) {
+        Codes c[parts];
+        Mask dark[parts] = {};
+        if (read_codes(depth + x, rule, c)) {
+#pragma GCC unroll 4
+            for (int i = 0; i < parts; ++i) {
+                const Mask drawn = c[i].visible;
+                const Place p = place_of(shares, c[i].z, m, x + i * lanes, whole, dithered);
+                dark[i] = four ? bilinear(line, p, drawn, limits) : nearest(p, drawn, limits);
+                add(visible, drawn);
+                add(shadowed, dark[i]);
+            }
         }
-        Place p;
-        if (dithered) {
-            const Word noise = load(m.noise + 2 * x);
-            p.x = dithered_place(X, c.z, x, whole, down16(up16(noise)));
-            p.y = dithered_place(Y, c.z, x, whole, down16(noise));
-        } else {
-            p.x = transformed(X, c.z, x, whole);
-            p.y = transformed(Y, c.z, x, whole);
-        }
-        p.code = transformed(Z, c.z, x, whole);
-        const Mask dark =
-            four ? bilinear(line, p, c.visible, limits) : nearest(p, c.visible, limits);
-        store_mask(mask + x, dark);
-        add(visible, c.visible);
-        add(shadowed, dark);
+        store_masks(mask + x, dark);
     }
     return {total(visible), total(shadowed)};
 }

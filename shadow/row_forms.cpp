@@ -65,11 +65,17 @@ UMBRA78_LANES CodeRule code_rule(const RowLine& line) {
     return {_mm_set1_epi16((short)line.background), _mm_set1_epi16((short)line.offset),
             _mm_cvtsi32_si128(line.z_up)};
 }
-UMBRA78_LANES Codes codes(const hw::Depth16* at, const CodeRule& rule) {
-    const __m128i code = _mm_loadl_epi64((const __m128i*)at);
-    const __m128i none = _mm_cmpeq_epi16(code, rule.background);
-    const __m128i z = _mm_sll_epi16(_mm_sub_epi16(code, rule.offset), rule.z_up);
-    return {(Word)_mm_unpacklo_epi16(z, z), ~(Mask)_mm_unpacklo_epi16(none, none)};
+UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes* c) {
+    int backgrounds = 0xffff;
+    for (int i = 0; i < 2; ++i) {
+        const __m128i code = _mm_loadu_si128((const __m128i*)(at + 8 * i));
+        const __m128i none = _mm_cmpeq_epi16(code, rule.background);
+        const __m128i z = _mm_sll_epi16(_mm_sub_epi16(code, rule.offset), rule.z_up);
+        c[2 * i] = {(Word)_mm_unpacklo_epi16(z, z), ~(Mask)_mm_unpacklo_epi16(none, none)};
+        c[2 * i + 1] = {(Word)_mm_unpackhi_epi16(z, z), ~(Mask)_mm_unpackhi_epi16(none, none)};
+        backgrounds &= _mm_movemask_epi8(none);
+    }
+    return backgrounds != 0xffff;
 }
 UMBRA78_LANES __m128i pair(const hw::Depth16* texels, std::uint32_t at) {
     std::int32_t two;
@@ -82,10 +88,10 @@ UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
     const __m128i b = _mm_unpacklo_epi32(pair(texels, at[2]), pair(texels, at[3]));
     return (Word)_mm_unpacklo_epi64(a, b);
 }
-UMBRA78_LANES void store_mask(std::uint8_t* at, Mask m) {
-    const __m128i words = _mm_packs_epi32(raw(m), raw(m));
-    const std::int32_t bytes = _mm_cvtsi128_si32(_mm_packs_epi16(words, words));
-    __builtin_memcpy(at, &bytes, sizeof bytes);
+UMBRA78_LANES void store_masks(std::uint8_t* at, const Mask* m) {
+    const __m128i a = _mm_packs_epi32(raw(m[0]), raw(m[1]));
+    const __m128i b = _mm_packs_epi32(raw(m[2]), raw(m[3]));
+    _mm_storeu_si128((__m128i*)at, _mm_packs_epi16(a, b));
 }
 UMBRA78_LANES void add(Counter& c, Mask m) { c += m; }
 UMBRA78_LANES std::uint32_t total(Counter c) {
@@ -149,26 +155,32 @@ struct Codes {
     Mask visible;
 };
 struct CodeRule {
-    __m128i background, offset, z_up;
+    __m256i background, offset;
+    __m128i z_up;
 };
 UMBRA78_LANES CodeRule code_rule(const RowLine& line) {
-    return {_mm_set1_epi16((short)line.background), _mm_set1_epi16((short)line.offset),
+    return {_mm256_set1_epi16((short)line.background), _mm256_set1_epi16((short)line.offset),
             _mm_cvtsi32_si128(line.z_up)};
 }
-UMBRA78_LANES Codes codes(const hw::Depth16* at, const CodeRule& rule) {
-    const __m128i code = _mm_loadu_si128((const __m128i*)at);
-    const __m128i none = _mm_cmpeq_epi16(code, rule.background);
-    const __m128i z = _mm_sll_epi16(_mm_sub_epi16(code, rule.offset), rule.z_up);
-    return {(Word)_mm256_cvtepu16_epi32(z), ~(Mask)_mm256_cvtepi16_epi32(none)};
+UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes* c) {
+    const __m256i code = _mm256_loadu_si256((const __m256i*)at);
+    const __m256i none = _mm256_cmpeq_epi16(code, rule.background);
+    const __m256i z = _mm256_sll_epi16(_mm256_sub_epi16(code, rule.offset), rule.z_up);
+    c[0] = {(Word)_mm256_cvtepu16_epi32(_mm256_castsi256_si128(z)),
+            ~(Mask)_mm256_cvtepi16_epi32(_mm256_castsi256_si128(none))};
+    c[1] = {(Word)_mm256_cvtepu16_epi32(_mm256_extracti128_si256(z, 1)),
+            ~(Mask)_mm256_cvtepi16_epi32(_mm256_extracti128_si256(none, 1))};
+    return _mm256_movemask_epi8(none) != -1;
 }
 UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
     return (Word)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), (const int*)texels,
                                              raw(address), raw(some), sizeof(hw::Depth16));
 }
-UMBRA78_LANES void store_mask(std::uint8_t* at, Mask m) {
-    const __m128i words = _mm_packs_epi32(_mm256_castsi256_si128(raw(m)),
-                                          _mm256_extracti128_si256(raw(m), 1));
-    _mm_storel_epi64((__m128i*)at, _mm_packs_epi16(words, words));
+UMBRA78_LANES void store_masks(std::uint8_t* at, const Mask* m) {
+    const __m256i words = _mm256_packs_epi32(raw(m[0]), raw(m[1]));  // in quarters 0 2 1 3
+    const __m256i in_order = _mm256_permute4x64_epi64(words, 0xd8);
+    _mm_storeu_si128((__m128i*)at, _mm_packs_epi16(_mm256_castsi256_si128(in_order),
+                                                   _mm256_extracti128_si256(in_order, 1)));
 }
 UMBRA78_LANES void add(Counter& c, Mask m) { c += m; }
 UMBRA78_LANES std::uint32_t total(Counter c) {
@@ -247,17 +259,18 @@ UMBRA78_LANES CodeRule code_rule(const RowLine& line) {
     return {_mm256_set1_epi16((short)line.background), _mm256_set1_epi16((short)line.offset),
             _mm_cvtsi32_si128(line.z_up)};
 }
-UMBRA78_LANES Codes codes(const hw::Depth16* at, const CodeRule& rule) {
+UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes* c) {
     const __m256i code = _mm256_loadu_si256((const __m256i*)at);
     const __m256i z = _mm256_sll_epi16(_mm256_sub_epi16(code, rule.offset), rule.z_up);
-    return {(Word)_mm512_cvtepu16_epi32(z), _mm256_cmpneq_epi16_mask(code, rule.background)};
+    *c = {(Word)_mm512_cvtepu16_epi32(z), _mm256_cmpneq_epi16_mask(code, rule.background)};
+    return any(c->visible);
 }
 UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
     return (Word)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), some, raw(address), texels,
                                              sizeof(hw::Depth16));
 }
-UMBRA78_LANES void store_mask(std::uint8_t* at, Mask m) {
-    _mm_storeu_si128((__m128i*)at, _mm_movm_epi8(m));
+UMBRA78_LANES void store_masks(std::uint8_t* at, const Mask* m) {
+    _mm_storeu_si128((__m128i*)at, _mm_movm_epi8(*m));
 }
 UMBRA78_LANES void add(Counter& c, Mask m) { c = _mm_sub_epi8(c, _mm_movm_epi8(m)); }
 UMBRA78_LANES std::uint32_t total(Counter c) {
