@@ -82,15 +82,23 @@ Split split(std::int64_t v, int shift, bool whole) {
             static_cast<std::int32_t>(v & ((std::int64_t{1} << shift) - 1))};
 }
 
-// The line's share of a result is what does not change along it.
-void set_shares(const hw::MatrixWords& m, const std::array<Rounded, 3>& rounding, RowLine& line) {
-    const ShadowTest& s = *line.test;
-    const std::int64_t y = pixel_words(0, line.y, 0, s).y, one = s.machine.one_word();
-    for (std::size_t r = 0; r < 3; ++r) {
-        const Rounded k = rounding[r];
-        const Split v = split(m.word[r][1] * y + m.word[r][3] * one + k.half, k.shift, line.whole);
-        line.share[r] = {v.high, v.low, static_cast<std::int16_t>(m.word[r][2]), k.shift};
-    }
+// The line's share of a result is what does not change along it; `step` from line to line.
+struct LineSum {
+    std::int64_t value, step;
+    int shift;
+    std::int16_t z_coefficient;
+};
+LineSum first_line(const ShadowTest& s, const hw::MatrixWords& m, std::size_t r) {
+    const std::int64_t y = pixel_words(0, 0, 0, s).y, step = pixel_words(0, 1, 0, s).y - y;
+    const Rounded k = rounded(s, m, r);
+    const std::int64_t v = m.word[r][1] * y +
+                           std::int64_t{m.word[r][3]} * s.machine.one_word() + k.half;
+    return {v, m.word[r][1] * step, k.shift, static_cast<std::int16_t>(m.word[r][2])};
+}
+void set_share(LineSum& sum, bool whole, RowShare& share) {
+    const Split v = split(sum.value, sum.shift, whole);
+    share = {v.high, v.low, sum.z_coefficient, sum.shift};
+    sum.value += sum.step;
 }
 
 void column_shares(const ShadowTest& s, const hw::MatrixWords& m, bool whole, RowMemory& memory) {
@@ -297,11 +305,13 @@ bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, st
     return in_shadow(*line.light, hw::Point{x, y, z, hw::DivideStatus::ok}, hw::DitherWords{0, 0});
 }
 
-void start_row_noise(const RowLine& line, int x, std::uint32_t* words) {
-    fixed::NoiseRegister start(line.test->dither.seed);
-    start.jump(((static_cast<std::uint64_t>(line.y) << line.xy_bits) +
-                static_cast<std::uint64_t>(x)) * 16 * static_cast<std::uint64_t>(line.uniforms));
-    for (int i = 0; i < 31; ++i) words[i] = static_cast<std::uint32_t>(start.take(32));
+void start_row_noise(const RowLine& line, std::uint32_t* words) {
+    fixed::NoiseStream64 stream(line.noise);
+    for (int i = 0; i < 32; i += 2) {
+        const std::uint64_t two = stream.next64();
+        words[i] = static_cast<std::uint32_t>(two);
+        words[i + 1] = static_cast<std::uint32_t>(two >> 32);
+    }
 }
 
 RowCounts plain_row(const RowLine& line, RowMemory& memory) {
@@ -333,17 +343,20 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
     const LightMap<hw::Depth16> light = light_map(maps.light, settings);
     RowLine line = line_of(settings, light);
     const auto run = lanes_cover(settings) ? form.run : plain_row;
+    if (line.uniforms > 0) line.noise = fixed::NoiseRegister(settings.dither.seed);
+    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(
+        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms));
     line.whole = run != plain_row && fits_whole(settings, matrix);
     column_shares(settings, matrix, line.whole, memory);
-    const std::array<Rounded, 3> rounding{rounded(settings, matrix, 0),
-                                          rounded(settings, matrix, 1),
-                                          rounded(settings, matrix, 2)};
+    std::array<LineSum, 3> sums{first_line(settings, matrix, 0), first_line(settings, matrix, 1),
+                                first_line(settings, matrix, 2)};
     PostProcessCounts counts;
     for (line.y = 0; line.y < line.width; ++line.y) {
         line.depth = maps.observer.depth.data() + maps.observer.address(0, line.y);
         line.mask = mask.data() + maps.observer.address(0, line.y);
-        set_shares(matrix, rounding, line);
+        for (std::size_t r = 0; r < 3; ++r) set_share(sums[r], line.whole, line.share[r]);
         const RowCounts c = run(line, memory);
+        if (line.uniforms > 0) line.noise.jump_by(line_of_noise);
         counts.visible += c.visible;
         counts.shadowed += c.shadowed;
     }

@@ -38,6 +38,7 @@ struct RowLine {
     int uniforms;  // bytes in a dither word, 0: none
     std::int32_t amplitude;
     // of the line
+    fixed::NoiseRegister noise{1};  // at its first pixel
     int y;
     const hw::Depth16* depth;
     std::uint8_t* mask;
@@ -71,8 +72,8 @@ bool lanes_cover(const ShadowTest& test);
 
 // The definition, for lanes at the map's edge: results of the transform unit, dithered.
 bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, std::int32_t z);
-// The first 31 words of 32 bits of the noise of pixel (x, line.y) and those that follow it.
-void start_row_noise(const RowLine& line, int x, std::uint32_t* words);
+// The line's first 32 words of noise, of 32 bits.
+void start_row_noise(const RowLine& line, std::uint32_t* words);
 
 RowCounts plain_row(const RowLine& line, RowMemory& memory);
 

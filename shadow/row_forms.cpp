@@ -37,6 +37,7 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_products(Word to, Word a, Word b) { return to + sum_of_products(a, b); }
 UMBRA78_LANES Word product(Word a, Word b) { return a * b; }
 UMBRA78_LANES Word low_half(Word v) { return v & 0xffff; }
 UMBRA78_LANES Word signed_halves(Word v) {
@@ -45,13 +46,13 @@ UMBRA78_LANES Word signed_halves(Word v) {
 
 UMBRA78_LANES Mask less(Word a, Word b) { return (Mask)_mm_cmplt_epi32(raw(a), raw(b)); }
 UMBRA78_LANES Mask equal(Word a, Word b) { return (Mask)_mm_cmpeq_epi32(raw(a), raw(b)); }
-UMBRA78_LANES Mask is_zero(Word v) { return equal(v, all(0)); }
 UMBRA78_LANES Mask not_negative(Word v) { return less(all(-1), v); }
 UMBRA78_LANES Mask both(Mask a, Mask b) { return a & b; }
 UMBRA78_LANES Mask either(Mask a, Mask b) { return a | b; }
 UMBRA78_LANES Mask without(Mask a, Mask b) { return a & ~b; }
 UMBRA78_LANES Mask in_range(Word v, Word end) { return less(all(-1), v) & less(v, end); }
 UMBRA78_LANES bool any(Mask m) { return _mm_movemask_epi8(raw(m)) != 0; }
+UMBRA78_LANES bool any_of_both(Mask a, Mask b) { return any(both(a, b)); }
 UMBRA78_LANES Word keep(Word v, Mask m) { return v & m; }
 
 struct Codes {
@@ -133,6 +134,7 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm256_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm256_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_products(Word to, Word a, Word b) { return to + sum_of_products(a, b); }
 UMBRA78_LANES Word product(Word a, Word b) { return a * b; }
 UMBRA78_LANES Word low_half(Word v) { return v & 0xffff; }
 UMBRA78_LANES Word signed_halves(Word v) {
@@ -141,13 +143,13 @@ UMBRA78_LANES Word signed_halves(Word v) {
 
 UMBRA78_LANES Mask less(Word a, Word b) { return (Mask)_mm256_cmpgt_epi32(raw(b), raw(a)); }
 UMBRA78_LANES Mask equal(Word a, Word b) { return (Mask)_mm256_cmpeq_epi32(raw(a), raw(b)); }
-UMBRA78_LANES Mask is_zero(Word v) { return equal(v, all(0)); }
 UMBRA78_LANES Mask not_negative(Word v) { return less(all(-1), v); }
 UMBRA78_LANES Mask both(Mask a, Mask b) { return a & b; }
 UMBRA78_LANES Mask either(Mask a, Mask b) { return a | b; }
 UMBRA78_LANES Mask without(Mask a, Mask b) { return a & ~b; }
 UMBRA78_LANES Mask in_range(Word v, Word end) { return less(all(-1), v) & less(v, end); }
 UMBRA78_LANES bool any(Mask m) { return _mm256_movemask_epi8(raw(m)) != 0; }
+UMBRA78_LANES bool any_of_both(Mask a, Mask b) { return !_mm256_testz_si256(raw(a), raw(b)); }
 UMBRA78_LANES Word keep(Word v, Mask m) { return v & m; }
 
 struct Codes {
@@ -200,10 +202,10 @@ UMBRA78_LANES std::uint32_t total(Counter c) {
 
 #ifdef __clang__
 #pragma clang attribute push(                                                              \
-    __attribute__((target("avx512f,avx512bw,avx512vl,avx512dq,popcnt"))), apply_to = function)
+    __attribute__((target("avx512f,avx512bw,avx512vl,avx512dq,avx512vnni"))), apply_to = function)
 #else
 #pragma GCC push_options
-#pragma GCC target("avx512f,avx512bw,avx512vl,avx512dq,popcnt,prefer-vector-width=512")
+#pragma GCC target("avx512f,avx512bw,avx512vl,avx512dq,avx512vnni,prefer-vector-width=512")
 #endif
 namespace avx512 {
 
@@ -228,6 +230,9 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm512_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm512_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_products(Word to, Word a, Word b) {
+    return (Word)_mm512_dpwssd_epi32(raw(to), raw(a), raw(b));
+}
 UMBRA78_LANES Word product(Word a, Word b) { return a * b; }
 UMBRA78_LANES Word low_half(Word v) { return v & 0xffff; }
 UMBRA78_LANES Word signed_halves(Word v) {
@@ -236,7 +241,6 @@ UMBRA78_LANES Word signed_halves(Word v) {
 
 UMBRA78_LANES Mask less(Word a, Word b) { return _mm512_cmplt_epi32_mask(raw(a), raw(b)); }
 UMBRA78_LANES Mask equal(Word a, Word b) { return _mm512_cmpeq_epi32_mask(raw(a), raw(b)); }
-UMBRA78_LANES Mask is_zero(Word v) { return _mm512_testn_epi32_mask(raw(v), raw(v)); }
 UMBRA78_LANES Mask not_negative(Word v) { return (Mask)~_mm512_movepi32_mask(raw(v)); }
 UMBRA78_LANES Mask both(Mask a, Mask b) { return a & b; }
 UMBRA78_LANES Mask either(Mask a, Mask b) { return a | b; }
@@ -245,6 +249,7 @@ UMBRA78_LANES Mask in_range(Word v, Word end) {  // 0 <= v < end
     return _mm512_cmplt_epu32_mask(raw(v), raw(end));
 }
 UMBRA78_LANES bool any(Mask m) { return m != 0; }
+UMBRA78_LANES bool any_of_both(Mask a, Mask b) { return any(both(a, b)); }
 UMBRA78_LANES Word keep(Word v, Mask m) { return (Word)_mm512_maskz_mov_epi32(m, raw(v)); }
 
 struct Codes {
@@ -293,7 +298,7 @@ bool has_avx2() { return __builtin_cpu_supports("avx2") != 0; }
 bool has_avx512() {
     return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
            __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-           __builtin_cpu_supports("popcnt") != 0;
+           __builtin_cpu_supports("avx512vnni") != 0;
 }
 constexpr RowForm forms[] = {{"plain", always, plain_row},
                              {"SSE2", always, sse2::run},
