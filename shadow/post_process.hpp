@@ -90,6 +90,7 @@ struct RowMemory {
     alignas(64) std::int32_t address[widest_row];
     alignas(64) std::int16_t noise[2 * widest_row];  // X and Y of each pixel
     alignas(64) std::uint16_t noise_sums[noise_words];
+    alignas(64) std::uint16_t noise_threes[noise_words / 3];
     alignas(64) std::uint32_t noise_bits[noise_words];
 };
 

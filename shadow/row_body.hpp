@@ -173,9 +173,10 @@ static void add_pairs(const std::uint32_t* bits, int words, std::uint16_t* sum) 
 static void take_bytes(const std::uint32_t* bits, int words, std::uint16_t* sum) {
     for (int i = 0; i < 4 * words; ++i) sum[i] = bits[i / 4] >> (i % 4 * 8) & 255u;
 }
-static void add_threes(std::uint16_t* sum, int count) {
+static void add_threes(const std::uint16_t* __restrict sum, int count,
+                       std::uint16_t* __restrict threes) {
     for (int i = 0; i < count; ++i)
-        sum[i] = static_cast<std::uint16_t>(sum[3 * i] + sum[3 * i + 1] + sum[3 * i + 2]);
+        threes[i] = static_cast<std::uint16_t>(sum[3 * i] + sum[3 * i + 1] + sum[3 * i + 2]);
 }
 
 // Dither words of the pixels from x to end: X in the low half, Y in the high one.
@@ -187,7 +188,10 @@ static void draw_noise(const RowLine& line, int x, int end, RowMemory& m) {
     if (k == 1) take_bytes(bits, words, sum);
     if (k == 2) add_pairs(bits, words, sum);
     if (k >= 4) add_bytes(bits, words, sum);
-    if (k == 12) add_threes(sum, sums);
+    if (k == 12) {
+        add_threes(sum, sums, m.noise_threes);
+        sum = m.noise_threes;
+    }
     std::int16_t* noise = m.noise + 2 * x;
     const std::int32_t amplitude = line.amplitude, mean = 255 * k;
     for (int i = 0; i < sums; ++i) {
