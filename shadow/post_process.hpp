@@ -6,9 +6,9 @@
 //
 // Its cost depends on the resolution alone: one transform a visible pixel, whatever was drawn.
 // `post_process` is the definition, one pixel at a time. `post_process_rows` runs the same
-// arithmetic one scan line at a time, in the lanes of the processor (shadow/row_form.hpp); it covers
-// words of 1978's widths, affine views and nearest or bilinear lookup (rows_cover). Tests hold the
-// two equal bit for bit.
+// arithmetic one scan line at a time, in the lanes of the processor (shadow/row_form.hpp); it
+// covers words of 1978's widths, affine views and nearest or bilinear lookup (rows_cover). Tests
+// hold the two equal bit for bit.
 // Both read the depth maps (DepthMaps), write every byte of the mask, and trap if the maps or the
 // mask have other sizes than the machine.
 #pragma once

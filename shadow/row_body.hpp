@@ -5,6 +5,11 @@
 // Not written with templates of other headers, nor with operator >>, whose meaning on lanes depends
 // on their type: `down` is the floor of v / 2^n.
 #ifdef UMBRA78_LANES
+#ifdef __clang__
+#define UMBRA78_NO_DEPENDENCE _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define UMBRA78_NO_DEPENDENCE _Pragma("GCC ivdep")
+#endif
 
 constexpr int block = 16, parts = block / lanes;
 
@@ -151,7 +156,7 @@ static void draw_bits(const RowLine& line, int words, std::uint32_t* bits) {
         const int end = 62 * step < words ? 62 * step : words;
         const std::uint32_t *back31 = bits, *back28 = bits + 3 * step;
         std::uint32_t* out = bits + 31 * step;
-#pragma GCC ivdep
+        UMBRA78_NO_DEPENDENCE
         for (int i = 0; i < end - 31 * step; ++i) out[i] = back31[i] ^ back28[i];
     }
 }
@@ -256,4 +261,5 @@ static RowCounts run(const RowLine& line, RowMemory& m) {
     return line.bilinear ? run_lookup(line, m, true) : run_lookup(line, m, false);
 }
 
+#undef UMBRA78_NO_DEPENDENCE
 #endif

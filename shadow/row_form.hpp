@@ -1,6 +1,6 @@
 // The forms of a scan line of the post-process: one meaning, once for each instruction set.
 //
-// `plain` is C++ without more (shadow/post_process_rows.cpp) and is there on every machine. On
+// `plain` is C++ without more (shadow/row_plain.cpp) and is there on every machine. On
 // x86-64 shadow/row_forms.cpp adds the processor's lanes: SSE2, AVX2 and AVX-512, all three
 // compiled from one text, shadow/row_body.hpp, over a few named operations of each set. The program
 // asks the processor once a frame and takes the last form that it has. Tests run every form that
