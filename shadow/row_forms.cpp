@@ -198,7 +198,7 @@ UMBRA78_LANES std::uint32_t total(Counter c) {
 #pragma GCC pop_options
 #endif
 
-// --- AVX-512: masks of a bit a lane ---------------------------------------------------------------
+// --- AVX-512: masks of a bit a lane --------------------------------------------------------------
 
 #ifdef __clang__
 #pragma clang attribute push(                                                              \
