@@ -86,11 +86,15 @@ struct RowMemory {
     static constexpr int noise_words = widest_row * 2 * fixed::max_uniforms / 4;
     alignas(64) std::int32_t column_high[3][widest_row];
     alignas(64) std::int32_t column_low[3][widest_row];
-    alignas(64) std::int32_t result[3][widest_row];
-    alignas(64) std::int32_t address[widest_row];
+    union {  // what the plain form keeps between its loops, or the sums of the lanes' noise
+        alignas(64) std::int32_t result[3][widest_row];
+        alignas(64) std::uint16_t noise_sums[noise_words];
+    };
+    union {
+        alignas(64) std::int32_t address[widest_row];
+        alignas(64) std::uint16_t noise_threes[noise_words / 3];
+    };
     alignas(64) std::int16_t noise[2 * widest_row];  // X and Y of each pixel
-    alignas(64) std::uint16_t noise_sums[noise_words];
-    alignas(64) std::uint16_t noise_threes[noise_words / 3];
     alignas(64) std::uint32_t noise_bits[noise_words];
 };
 
