@@ -51,14 +51,25 @@ public:
     }
 
     // Forward by any number of bits.
-    constexpr void jump(std::uint64_t bits) {
-        const std::uint32_t power = power_of_x(bits);
+    constexpr void jump(std::uint64_t bits) { jump_by(power_of_x(bits)); }
+    // By the bits of which `power` is the power_of_x: many jumps of one length.
+    constexpr void jump_by(std::uint32_t power) {
         const std::uint64_t known = window(state_).low;
         std::uint64_t sum = 0;
         for (int i = 0; i < stages; ++i) {
             sum ^= (power >> i & 1) != 0 ? known >> i : 0;
         }
         state_ = static_cast<std::uint32_t>(sum & period);
+    }
+
+    // x^exponent modulo x^31 + x^3 + 1, by squaring from the top bit down.
+    static constexpr std::uint32_t power_of_x(std::uint64_t exponent) {
+        std::uint64_t p = 1;
+        for (int bit = 64 - std::countl_zero(exponent); bit-- > 0;) {
+            p = reduce(spread(p));
+            p = (exponent >> bit & 1) != 0 ? reduce(p << 1) : p;
+        }
+        return static_cast<std::uint32_t>(p);
     }
 
     friend constexpr bool operator==(const NoiseRegister&, const NoiseRegister&) = default;
@@ -78,15 +89,6 @@ private:
         return {low, high};
     }
 
-    // x^exponent modulo x^31 + x^3 + 1, by squaring from the top bit down.
-    static constexpr std::uint32_t power_of_x(std::uint64_t exponent) {
-        std::uint64_t p = 1;
-        for (int bit = 64 - std::countl_zero(exponent); bit-- > 0;) {
-            p = reduce(spread(p));
-            p = (exponent >> bit & 1) != 0 ? reduce(p << 1) : p;
-        }
-        return static_cast<std::uint32_t>(p);
-    }
     // The square of a polynomial over GF(2): its terms' exponents doubled.
     static constexpr std::uint64_t spread(std::uint64_t p) {
         p = (p | p << 16) & 0x0000ffff0000ffff;

@@ -6,9 +6,9 @@
 //
 // Its cost depends on the resolution alone: one transform a visible pixel, whatever was drawn.
 // `post_process` is the definition, one pixel at a time. `post_process_rows` runs the same
-// arithmetic one scan line at a time, in lanes that the compiler vectorizes; it covers words of
-// 1978's widths, affine views and nearest or bilinear lookup (rows_cover). Tests hold the two equal
-// bit for bit.
+// arithmetic one scan line at a time, in the lanes of the processor (shadow/row_form.hpp); it
+// covers words of 1978's widths, affine views and nearest or bilinear lookup (rows_cover). Tests
+// hold the two equal bit for bit.
 // Both read the depth maps (DepthMaps), write every byte of the mask, and trap if the maps or the
 // mask have other sizes than the machine.
 #pragma once
@@ -80,12 +80,22 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
 
 inline constexpr int widest_row = 512;
 
-// Scratch of the row form: the columns' share of each result, split at the binary point.
+// Scratch of the row forms: the columns' share of each result, split at the binary point; what the
+// plain form keeps between its loops; and the noise of a scan line.
 struct RowMemory {
-    using Lanes = std::array<std::int32_t, widest_row>;
-    std::array<Lanes, 3> column_high, column_low;
-    std::array<Lanes, 3> result;
-    Lanes address;
+    static constexpr int noise_words = widest_row * 2 * fixed::max_uniforms / 4;
+    alignas(64) std::int32_t column_high[3][widest_row];
+    alignas(64) std::int32_t column_low[3][widest_row];
+    union {  // what the plain form keeps between its loops, or the sums of the lanes' noise
+        alignas(64) std::int32_t result[3][widest_row];
+        alignas(64) std::uint16_t noise_sums[noise_words];
+    };
+    union {
+        alignas(64) std::int32_t address[widest_row];
+        alignas(64) std::uint16_t noise_threes[noise_words / 3];
+    };
+    alignas(64) std::int16_t noise[2 * widest_row];  // X and Y of each pixel
+    alignas(64) std::uint32_t noise_bits[noise_words];
 };
 
 // Whether the row form covers these settings and this matrix.

@@ -3,6 +3,7 @@
 #include "shadow/post_process.hpp"
 
 #include "shadow/frame/frame.hpp"
+#include "shadow/row_form.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/random_frames.hpp"
 #include "tests/shadow/slow_lookup.hpp"
@@ -10,6 +11,8 @@
 #include "tests/support/buffers.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -138,17 +141,22 @@ TEST(PostProcess, WorkForNothingChangesNothing) {
 
 // --- plain against rows -------------------------------------------------------------------------
 
-// One frame by either form, from masks that held different rubbish before.
+// One frame by every form that this processor has, from masks that held different rubbish before.
 void expect_forms_agree(const DepthMaps<hw::Depth16>& maps, const hw::MatrixWords& matrix,
                         const Settings& s, const std::string& where, std::uint64_t& shadowed) {
     ASSERT_TRUE(rows_cover(s, matrix)) << where << describe(s);
     static const auto memory = std::make_unique<RowMemory>();
-    std::vector<std::uint8_t> plain(maps.observer.depth.size(), 1), rows(plain.size(), 2);
+    std::vector<std::uint8_t> plain(maps.observer.depth.size(), 1);
     const PostProcessCounts a = post_process(maps, matrix, s, plain);
-    const PostProcessCounts b = post_process_rows(maps, matrix, s, *memory, rows);
-    EXPECT_EQ(a.visible, b.visible) << where << describe(s);
-    EXPECT_EQ(a.shadowed, b.shadowed) << where << describe(s);
-    expect_same(plain, rows, maps.observer.size_px(), where + describe(s));
+    for (const RowForm& form : row_forms()) {
+        if (!form.supported()) continue;
+        std::vector<std::uint8_t> rows(plain.size(), 2);
+        const PostProcessCounts b = post_process_rows(maps, matrix, s, *memory, rows, form);
+        const std::string which = std::string(form.name) + ": " + where + describe(s);
+        EXPECT_EQ(a.visible, b.visible) << which;
+        EXPECT_EQ(a.shadowed, b.shadowed) << which;
+        expect_same(plain, rows, maps.observer.size_px(), which);
+    }
     shadowed += a.shadowed;
 }
 
@@ -251,6 +259,56 @@ TEST(PostProcessRows, TexelEdgesAndExtremeCodes) {
                     if (HasFailure()) return;
                 }
     EXPECT_GT(shadowed, 1000u);
+}
+
+// The form that is taken without a name is one that the processor has; one that it has not traps.
+TEST(PostProcessRows, TakeAFormThatTheProcessorHas) {
+    EXPECT_EQ(row_forms()[0].name, "plain");
+    EXPECT_TRUE(row_forms()[0].supported());
+    EXPECT_TRUE(fastest_row_form().supported());
+    RowForm absent = row_forms()[0];
+    absent.supported = [] { return false; };
+    Settings s;
+    s.machine.xy_bits = 4;
+    OwnedStore<hw::Depth16> observer(4), light(4);
+    hw::MatrixWords m;
+    m.word = {{{1 << 14, 0, 0, 0}, {0, 1 << 14, 0, 0}, {0, 0, 1 << 14, 0}, {0, 0, 0, 1 << 14}}};
+    const auto memory = std::make_unique<RowMemory>();
+    std::vector<std::uint8_t> mask(256);
+    EXPECT_DEATH(post_process_rows(maps_of(observer, light), m, s, *memory, mask, absent),
+                 "has not the row form's lanes");
+}
+
+// The light map ends where no memory follows, or begins where none is before it: a read beyond it
+// ends the test. Every texel is looked up, the first and the last among them.
+TEST(PostProcessRows, ReadNothingBesideTheMap) {
+    std::uint64_t shadowed = 0;
+    Settings s;
+    s.machine.xy_bits = 5;
+    OwnedStore<hw::Depth16> observer(5);
+    std::fill(observer.depth.begin(), observer.depth.end(), hw::Depth16{40000});
+    hw::MatrixWords m;
+    m.word = {{{1 << 14, 0, 0, 0}, {0, 1 << 14, 0, 0}, {0, 0, 1 << 14, 0}, {0, 0, 0, 1 << 14}}};
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t bytes = 2 * observer.depth.size();
+    ASSERT_LE(bytes, page);
+    void* memory = mmap(nullptr, 3 * page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    ASSERT_NE(memory, MAP_FAILED);
+    std::byte* middle = static_cast<std::byte*>(memory) + page;
+    ASSERT_EQ(mprotect(middle, page, PROT_READ | PROT_WRITE), 0);
+    for (std::byte* at : {middle, middle + page - bytes}) {
+        const std::span depth(reinterpret_cast<hw::Depth16*>(at), observer.depth.size());
+        std::fill(depth.begin(), depth.end(), hw::Depth16{40001});
+        depth.front() = depth.back() = 39999;
+        DepthMaps<hw::Depth16> maps = maps_of(observer, observer);
+        maps.light.depth = depth;
+        for (const Lookup lookup : {Lookup::nearest, Lookup::bilinear}) {
+            s.lookup = lookup;
+            expect_forms_agree(maps, m, s, "pages ", shadowed);
+        }
+    }
+    munmap(memory, 3 * page);
+    EXPECT_GE(shadowed, 4u);
 }
 
 TEST(PostProcessRows, CoverWhatTheySay) {

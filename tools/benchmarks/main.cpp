@@ -9,6 +9,7 @@
 #include "shadow/frame/frame.hpp"
 #include "shadow/frame/ledger.hpp"
 #include "shadow/frame/paper_figures.hpp"
+#include "shadow/row_form.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
 
 #include <benchmark/benchmark.h>
@@ -130,6 +131,32 @@ void add_clocked(const std::string& name, int figure) {
     })->Unit(benchmark::kMillisecond);
 }
 
+// The row forms that this processor has, on figure 3's frame: each lookup and dither.
+void add_row_forms() {
+    struct Case {
+        const char* name;
+        shadow::Lookup lookup;
+        hw::DitherShape dither;
+    };
+    using hw::DitherShape;
+    for (const Case& c : {Case{"nearest", shadow::Lookup::nearest, DitherShape::none},
+                          Case{"bilinear", shadow::Lookup::bilinear, DitherShape::none},
+                          Case{"nearest, normal4", shadow::Lookup::nearest, DitherShape::normal4},
+                          Case{"bilinear, normal", shadow::Lookup::bilinear,
+                               DitherShape::normal}})
+        for (const shadow::RowForm& form : shadow::row_forms()) {
+            if (!form.supported()) continue;
+            add(fmt::format("rows, {}: {}", c.name, form.name), 3,
+                [c, &form](Bench& b, shadow::Settings s) {
+                    s.lookup = c.lookup;
+                    s.dither.shape = c.dither;
+                    shadow::post_process_rows(b.frame.maps(),
+                                              b.matrices.lights[0].observer_to_light, s,
+                                              *b.frame.rows, b.frame.lights[0].mask, form);
+                });
+        }
+}
+
 void add_all() {
     using shadow::Settings;
     for (const bool affine : {true, false})
@@ -147,6 +174,7 @@ void add_all() {
         shadow::post_process(b.frame.maps(), b.matrices.lights[0].observer_to_light, s,
                              b.frame.lights[0].mask);
     });
+    add_row_forms();
     // The ledger of the pass as the functional machine gets it: one scan of the observer's Z.
     add("post-process, figure 3, with its ledger", 3, [](Bench& b, const Settings& s) {
         shadow::cast_shadows(b.inputs(s), b.plan, b.frame, b.counts);
