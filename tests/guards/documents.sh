@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Documents lead somewhere: each relative link in a *.md is a file or folder of the repository, and
-# each #anchor a heading of the document that it names. And the lines of code that RIVALS.md tells of
-# each rival are those of its files, within a tenth.
+# each #anchor a heading of the document that it names. And the lines of code that RIVALS.md tells
+# of each rival are those of its files, within a tenth.
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 

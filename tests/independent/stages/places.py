@@ -1,5 +1,4 @@
-"""A view sampled at places instead of at its pixels' centres (shadow/rivals/scan_out.md, section 5).
-"""
+"""A view sampled at places, not at its pixels' centres (shadow/rivals/scan_out.md, section 5)."""
 from .notation import half_up
 from .samples import triangle_depth
 from .shadow_test import ScreenUnit, pixel_words

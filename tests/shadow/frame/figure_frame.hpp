@@ -54,7 +54,7 @@ struct Frame {
     }
     FrameStatus draw(const Scene& scene, const Settings& settings) {
         if (const Method* method = method_of(settings);
-            method != nullptr && method->memory != nullptr) {
+            method != nullptr && method->memory != nullptr && buffers.method_memory.empty()) {
             method_memory = Memory(method->memory({scene, settings, {}}));
             buffers.method_memory = method_memory.span();
         }

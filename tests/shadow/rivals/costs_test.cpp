@@ -1,5 +1,5 @@
-// The constants of the rivals' costs are the rows of the table in shadow/rivals/RIVALS.md, section 8,
-// and none is missing there.
+// The constants of the rivals' costs are the rows of the table in shadow/rivals/RIVALS.md, section
+// 8, and none is missing there.
 #include "shadow/rivals/costs.hpp"
 
 #include "tests/support/machine_text.hpp"
