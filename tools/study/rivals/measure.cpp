@@ -49,9 +49,11 @@ void set_wrong(Row& row, const SceneTruth& truth, const MachineMask& mask) {
     row.set("wrong_terminator_px", terminator);
 }
 
-void set_errors(Row& row, const RenderJob& job, const Traced& traced) {
+// Of the darkness as the filters leave it, which are set to no passes: a ramp is in it.
+void set_errors(Row& row, RenderJob& job, const Traced& traced) {
+    job.filter_and_composite();
     const std::vector<std::uint8_t> visible = job.visible();
-    const MachineMask mask{job.bytes(Plane::mask), visible};
+    const MachineMask mask{job.bytes(Plane::filtered), visible};
     set_wrong(row, traced.truth, mask);
     const ShadowReport errors = tools::report(traced.truth, mask, traced.band);
     row.set("false_shadow", errors.all.false_shadow_rate());

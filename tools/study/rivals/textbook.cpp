@@ -40,7 +40,7 @@ Drawing drawn_again(const Request& request, const Row& row, const TruthCache& tr
     Drawing drawing{{picture.begin(), picture.end()}, {}, scene.settings.machine.size_px()};
     if (const auto traced = truths.of(scene)) {
         const std::vector<std::uint8_t> visible = job.visible();
-        drawing.errors = error_picture(traced->truth, {job.bytes(Plane::mask), visible});
+        drawing.errors = error_picture(traced->truth, {job.bytes(Plane::filtered), visible});
     }
     return drawing;
 }
