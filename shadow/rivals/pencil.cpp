@@ -61,6 +61,27 @@ bool Setting::hides(const Pencil& from, std::size_t f, std::size_t on, std::int3
     return meet(planes[on], planes[f]).sign_at(px, py) == -side;
 }
 
+bool HidingLines::hide(const Setting& s, std::uint32_t facet, std::uint32_t on, std::int32_t px,
+                       std::int32_t py) {
+    const int side = s.light.sides[facet];
+    if (side == 0 || facet == on) return false;
+    if (facet != facet_ || on != on_) {
+        facet_ = facet, on_ = on;
+        made_ = 0;
+    }
+    if (line(s, 0).sign_at(px, py) != -side) return false;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (line(s, k + 1).sign_at(px, py) != s.light.inside(s.mesh, facet, k)) return false;
+    return true;
+}
+
+const ScreenLine& HidingLines::line(const Setting& s, std::size_t i) {
+    if (i == made_)
+        lines_[made_++] =
+            meet(s.planes[on_], i == 0 ? s.planes[facet_] : s.light.edge(s.mesh, facet_, i - 1));
+    return lines_[i];
+}
+
 Run Setting::hidden_run(const Pencil& from, std::size_t f, std::size_t on, int row) const {
     const int side = from.sides[f];
     if (side == 0 || f == on) return {0, 0};
