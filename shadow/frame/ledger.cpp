@@ -24,10 +24,11 @@ PhaseLedger phase(const hw::Operations& o, const FrameInputs& in) {
 }
 
 // Both parts of the surfaces, so that what lies outside is known by itself. `drawn`: what the
-// drawing of the frame counted; of a stream, it is all that there is to count.
+// drawing of the frame counted; of a stream, it is all that there is to count. `known`: both counts
+// are there.
 PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
                     const raster::DrawCounts& drawn, raster::DrawMemory& memory, bool shades,
-                    const raster::Casters& casters, raster::DrawCounts& counts,
+                    const raster::Casters& casters, bool known, raster::DrawCounts& counts,
                     raster::DrawCounts& inside) {
     const auto operations = [&] {
         hw::Operations o = drawing_operations(in, matrix, counts,
@@ -35,6 +36,7 @@ PhaseLedger drawing(const FrameInputs& in, const hw::MatrixWords& matrix,
         if (!shades) o += map_operations(in, counts);
         return phase(o, in);
     };
+    if (known) return operations();
     if (in.scene.streamed) {
         inside = counts = drawn;
         return operations();
@@ -248,7 +250,8 @@ void add_source(const FrameInputs& in, const Source& source, const FrameBuffers<
 
 template <class Depth>
 FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame,
-                         const FrameCounts& counts, std::size_t light, const FrameLedger* other) {
+                         const FrameCounts& counts, std::size_t light,
+                         const KnownCounts& known) {
     fixed::require(light < in.scene.light_count, "a ledger is of a light of the frame");
     const Settings& s = in.settings;
     const std::uint64_t pixels = std::uint64_t{1} << (2 * s.machine.xy_bits);
@@ -256,17 +259,20 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
     FrameLedger l;
     l.has_map = method.has_map();
     l.on_ground = method.on_ground();
+    if (known.light != nullptr) {
+        l.light_counts = known.light->light_counts;
+        l.light_inside = known.light->light_inside;
+    }
+    if (known.observer != nullptr) {
+        l.observer_counts = known.observer->observer_counts;
+        l.observer_inside = known.observer->observer_inside;
+    }
     if (method.draws_light())
         l.light = drawing(in, in.matrices.lights[light].world_to_light, counts.lights[light].map,
-                      *frame.draw, false, casters_of(in, light), l.light_counts, l.light_inside);
-    if (other != nullptr) {
-        l.observer = other->observer;
-        l.observer_counts = other->observer_counts;
-        l.observer_inside = other->observer_inside;
-    } else {
-        l.observer = drawing(in, in.matrices.world_to_observer, counts.observer, *frame.draw, true,
-                             {}, l.observer_counts, l.observer_inside);
-    }
+                          *frame.draw, false, casters_of(in, light), known.light != nullptr,
+                          l.light_counts, l.light_inside);
+    l.observer = drawing(in, in.matrices.world_to_observer, counts.observer, *frame.draw, true, {},
+                         known.observer != nullptr, l.observer_counts, l.observer_inside);
     const auto none = static_cast<Depth>(s.machine.background());
     l.visible = pixels - static_cast<std::uint64_t>(std::count(
                              frame.observer.depth.begin(), frame.observer.depth.end(), none));
@@ -283,7 +289,7 @@ FrameLedger frame_ledger(const FrameInputs& in, const FrameBuffers<Depth>& frame
 #define UMBRA78_LEDGER(Depth)                                                             \
     template PostProcessLedger ledger_of(const ClockedPostProcess<Depth>&);               \
     template FrameLedger frame_ledger(const FrameInputs&, const FrameBuffers<Depth>&,     \
-                                      const FrameCounts&, std::size_t, const FrameLedger*);
+                                      const FrameCounts&, std::size_t, const KnownCounts&);
 UMBRA78_LEDGER(hw::Depth16)
 UMBRA78_LEDGER(hw::Depth32)
 #undef UMBRA78_LEDGER

@@ -123,13 +123,18 @@ bool has_pass(const FrameInputs&, std::size_t light);
 // What such a pass takes of each visible pixel beside the pipeline.
 hw::Operations test_operations(const FrameInputs&, std::size_t light);
 
+// Ledgers in which the counts of the observer's view, or of this light's, are this frame's too:
+// of another of its lights, or of a frame whose view find_reuse() would keep.
+struct KnownCounts {
+    const FrameLedger *observer = nullptr, *light = nullptr;
+};
+
 // Of a frame that is done. Draws the light's view and the observer's once more, to count, with
 // nothing hidden and nothing stored: cycles must not depend on the order of the patches. A stream
-// is drawn with nothing hidden, and its counts are taken as they are. `other`: another light's
-// ledger of the same frame, from which the observer's part is taken.
+// is drawn with nothing hidden, and its counts are taken as they are.
 template <class Depth>
 FrameLedger frame_ledger(const FrameInputs&, const FrameBuffers<Depth>&, const FrameCounts&,
-                         std::size_t light = 0, const FrameLedger* other = nullptr);
+                         std::size_t light = 0, const KnownCounts& = {});
 
 // The whole frame's cycles from the ledgers of all its lights.
 std::uint64_t total(std::span<const FrameLedger> by_light, bool overlap);

@@ -28,7 +28,7 @@ struct Options {
     std::vector<std::string> vary, parts;
     int jobs = 0;
     std::uint64_t sample = 8;
-    bool quick = false, automatic = false, no_host_times = false, replace = false, json = false;
+    bool quick = false, automatic = false, only = false, no_host_times = false, replace = false, json = false;
 };
 
 // "i/n" with 1 <= i <= n. A number that an int does not hold is refused.
@@ -51,6 +51,7 @@ Asked asked_of(const Study& study, const Options& options) {
     for (const std::string& vary : options.vary) request.vary.push_back(parse_vary(vary));
     request.quick = options.quick;
     request.automatic = options.automatic;
+    request.only = options.only;
     request.host_times = !options.no_host_times;
     return ask(study, std::move(request));
 }
@@ -100,6 +101,9 @@ void add_study(const Command& above, const Study& study) {
                  "Run the i-th of n parts, for umbra78 study merge, on this computer or others");
     if (study.takes().automatic)
         command.flag("--auto", options->automatic, "Print the answer for the scene");
+    if (study.takes().only)
+        command.flag("--only", options->only,
+                     "No cases but the product of all --vary; what they leave out is the scene's");
     command.flag("--no-host-times", options->no_host_times,
                  "Leave out the columns that end in _host_ms or _host_mb: the same files every "
                  "time");

@@ -1,5 +1,6 @@
 #include "tools/render/render_job.hpp"
 
+#include "shadow/frame/reuse.hpp"
 #include "shadow/frame/stream.hpp"
 #include "tools/scene/checks.hpp"
 #include "tools/scene/scene_error.hpp"
@@ -98,6 +99,7 @@ void RenderJob::load(shadow::FrameInputs next, const shadow::FrameInputs* before
         if (status == shadow::FrameStatus::ok) plan = shadow::make_plan(next, before);
     });
     if (status != shadow::FrameStatus::ok) throw SceneError(explain(status));
+    forget_counts(next);
     inputs_ = next;
     plan_ = plan;
     times_.matrices_ms = ms;
@@ -170,18 +172,32 @@ void RenderJob::render_stream(raster::PrimitiveSource& source, const PrimitiveSt
     }
 }
 
-shadow::FrameLedger RenderJob::ledger(std::size_t light, const shadow::FrameLedger* other) const {
-    return std::visit(
+shadow::FrameLedger RenderJob::ledger(std::size_t light) const {
+    const auto known = [](const auto& counted) { return counted ? &*counted : nullptr; };
+    const shadow::KnownCounts counts{known(counted_observer_), known(counted_light_[light])};
+    const shadow::FrameLedger made = std::visit(
         [&](const auto& frame) {
-            return shadow::frame_ledger(inputs_, frame, counts_, light, other);
+            return shadow::frame_ledger(inputs_, frame, counts_, light, counts);
         },
         frame_);
+    if (!inputs_.scene.streamed) counted_observer_ = counted_light_[light] = made;
+    return made;
+}
+
+void RenderJob::forget_counts(const shadow::FrameInputs& next) {
+    const auto counted = [](const auto& ledger) { return ledger.has_value(); };
+    if (!counted_observer_ && std::ranges::none_of(counted_light_, counted)) return;
+    const shadow::Reuse kept = shadow::find_reuse(inputs_, next);
+    if (!kept.observer) counted_observer_.reset();
+    const bool has_map = shadow::method_of(next).has_map();
+    for (std::size_t l = 0; l < counted_light_.size(); ++l)
+        if (!has_map || !kept.light_map[l]) counted_light_[l].reset();
 }
 
 std::vector<shadow::FrameLedger> RenderJob::ledgers() const {
     std::vector<shadow::FrameLedger> made{ledger()};
     for (std::size_t l = 1; l < inputs_.scene.light_count; ++l)
-        made.push_back(ledger(l, &made.front()));
+        made.push_back(ledger(l));
     return made;
 }
 

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -97,8 +98,8 @@ public:
     const shadow::FrameCounts& counts() const { return counts_; }
     const StageTimes& times() const { return times_; }
     // What the frame takes on the machine, as its first light has it, or each light in turn; draws
-    // the views once more, to count.
-    shadow::FrameLedger ledger() const { return ledger(0, nullptr); }
+    // the views once more, to count, unless that was done in settings that draw them alike.
+    shadow::FrameLedger ledger() const { return ledger(0); }
     std::vector<shadow::FrameLedger> ledgers() const;
     // The post-process again, through memory of the time.
     shadow::MemoryLedger replay_memory() const;
@@ -126,7 +127,8 @@ private:
     std::size_t bytes_short_of() const;
     void check_carved(const shadow::Scene&, const shadow::Settings&) const;
     void load(shadow::FrameInputs next, const shadow::FrameInputs* before);
-    shadow::FrameLedger ledger(std::size_t light, const shadow::FrameLedger* other) const;
+    shadow::FrameLedger ledger(std::size_t light) const;
+    void forget_counts(const shadow::FrameInputs& next);
 
     shadow::FrameInputs inputs_;
     shadow::FramePlan plan_{};
@@ -139,6 +141,9 @@ private:
     std::size_t method_bytes_ = 0;
     std::unique_ptr<std::byte[], Free> method_memory_;
     std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;
+    // The last ledgers whose counts still are those of the observer's view, and of each light's.
+    mutable std::optional<shadow::FrameLedger> counted_observer_;
+    mutable std::array<std::optional<shadow::FrameLedger>, shadow::max_lights> counted_light_;
 };
 
 }  // namespace umbra78::tools

@@ -34,6 +34,7 @@ ordered_json inputs_of(const Study& study, const Request& request) {
                       {"quick", request.quick},
                       {"auto", request.automatic},
                       {"host_times", request.host_times}};
+    if (request.only) json["only"] = true;
     if (!request.models.empty()) json["models"] = request.models;
     for (const auto& [key, values] : request.vary)
         json["vary"].push_back({{"key", key}, {"values", values}});
@@ -83,6 +84,7 @@ Asked ask_again(const ordered_json& inputs, const std::string& path, Studies kno
         request.quick = inputs.at("quick");
         request.automatic = inputs.at("auto");
         request.host_times = inputs.at("host_times");
+        request.only = inputs.value("only", false);
     } catch (const nlohmann::json::exception&) {
         throw std::runtime_error(fmt::format(
             "{}: its inputs are not those of a study; give a file that umbra78 study wrote", path));

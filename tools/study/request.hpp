@@ -30,6 +30,7 @@ struct Request {
     std::vector<GridKey> vary;  // --vary, in the order given
     bool quick = false;         // a small grid, which takes seconds
     bool automatic = false;     // --auto: only the answer for the scene
+    bool only = false;          // --only: the product of `vary` and no other case
     bool host_times = true;
 };
 

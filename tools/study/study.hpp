@@ -39,7 +39,7 @@ public:
     // What the user may ask for. `scene`: a scene file and --vary; false for a study whose cases
     // are its own. `automatic`: --auto.
     struct Takes {
-        bool scene = true, automatic = false;
+        bool scene = true, automatic = false, only = false;
     };
     virtual Takes takes() const { return {}; }
 

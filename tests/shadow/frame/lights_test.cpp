@@ -349,7 +349,8 @@ TEST(LightsPlan, ALevelChangesTheShadingAlone) {
 std::vector<FrameLedger> ledgers(const Drawn& d) {
     std::vector<FrameLedger> all{frame_ledger(d.inputs(), d.buffers(), d.frame.counts)};
     for (std::size_t l = 1; l < d.scene.light_count; ++l)
-        all.push_back(frame_ledger(d.inputs(), d.buffers(), d.frame.counts, l, &all[0]));
+        all.push_back(frame_ledger(d.inputs(), d.buffers(), d.frame.counts, l,
+                                   KnownCounts{&all[0], nullptr}));
     return all;
 }
 

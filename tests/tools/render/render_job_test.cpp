@@ -181,5 +181,42 @@ TEST(RenderJob, OtherSettingsAndScenesAreTakenOver) {
     EXPECT_EQ(hashes(job), hashes_of(moved, nearest));
 }
 
+// A job counts a view once for all settings that draw it alike.
+TEST(RenderJob, LedgersAfterOtherSettingsAreThoseOfAJobOfItsOwn) {
+    SmallScene scene;
+    RenderJob job(scene.view(), scene.settings);
+    const auto expect_ledger_of_its_own = [&](const char* what) {
+        job.use(scene.settings);
+        job.render();
+        RenderJob own(scene.view(), scene.settings);
+        own.render();
+        const shadow::FrameLedger a = job.ledger(), b = own.ledger();
+        EXPECT_EQ(a.total(true), b.total(true)) << what;
+        EXPECT_EQ(a.total(false), b.total(false)) << what;
+        EXPECT_EQ(a.light.units.side_by_side(), b.light.units.side_by_side()) << what;
+        EXPECT_EQ(a.observer.units.side_by_side(), b.observer.units.side_by_side()) << what;
+        EXPECT_EQ(a.light_inside.samples, b.light_inside.samples) << what;
+        EXPECT_EQ(a.observer_counts.samples, b.observer_counts.samples) << what;
+        EXPECT_EQ(a.visible, b.visible) << what;
+    };
+    shadow::Settings& s = scene.settings;
+    expect_ledger_of_its_own("figure 6");
+    s.bias_q16 *= 2, expect_ledger_of_its_own("bias");
+    s.bias_slope_q8 = 256, expect_ledger_of_its_own("bias_slope");
+    s.lookup = shadow::Lookup::nearest, expect_ledger_of_its_own("lookup");
+    s.sampling = raster::Sampling::leaf, expect_ledger_of_its_own("sampling");
+    s.machine.coefficient_bits = 24, expect_ledger_of_its_own("coefficient_bits");
+    s.surface = raster::PatchForm::diced, expect_ledger_of_its_own("surface");
+    s.facing = raster::Facing::front, expect_ledger_of_its_own("facing");
+    s.dice_levels = 2, expect_ledger_of_its_own("dice_levels");
+    s.bias_slope_q8 = 0, s.form = shadow::Form::correct, expect_ledger_of_its_own("correct");
+    s.form = shadow::Form::volumes, expect_ledger_of_its_own("volumes");
+    s.form = shadow::Form::post_process, expect_ledger_of_its_own("post_process");
+    s.low_pass_passes = 0, expect_ledger_of_its_own("low_pass");
+    scene.light.target.x += 1 << 14;
+    job.advance(scene.view(), s);
+    expect_ledger_of_its_own("another light");
+}
+
 }  // namespace
 }  // namespace umbra78::tools

@@ -50,6 +50,17 @@ TEST(ErrorTime, EveryRowIsThatOfAFrameDrawnAlone) {
     EXPECT_GE(compared, asked.cases.size() / step / 4);
 }
 
+TEST(ErrorTime, OnlyWhatIsVaried) {
+    Request request;
+    request.only = true;
+    request.vary = {{"bias", {"1", "2", "3"}}, {"low_pass", {"0", "2"}}};
+    const Asked asked = ask(*studies().front(), request);
+    EXPECT_EQ(asked.cases.size(), 6u);
+    for (const Case& c : asked.cases) EXPECT_EQ(c.set.size(), 2u) << c.name;
+    const Asked again = ask_again(asked.inputs, "a file", studies());
+    EXPECT_EQ(again.hash, asked.hash);
+}
+
 TEST(ErrorTime, TheDefaultGridIsPrunedAndHoldsTheScenesBiasInTexels) {
     const Asked asked = ask(*studies().front(), {});
     EXPECT_GT(asked.cases.size(), 100u);

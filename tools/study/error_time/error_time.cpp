@@ -93,6 +93,7 @@ public:
     std::string_view meaning() const override {
         return "Error against run time: what each setting costs, and what it is worth";
     }
+    Takes takes() const override { return {.only = true}; }
     std::vector<Case> cases(const Request&) const override;
     Row run(const Request&, const Case&, const LoadedScene*) const override;
     std::vector<ColumnMeaning> columns() const override;
@@ -107,6 +108,11 @@ private:
 // A main grid, and the other keys one at a time with the scene's own widths. The product of all
 // keys would take hours.
 std::vector<Case> ErrorTime::cases(const Request& request) const {
+    if (request.only) {
+        std::vector<Case> all = grid(request, {});
+        put_shared_drawing_together(all);
+        return all;
+    }
     const std::vector<GridKey> bias = same_bias(request);
     const GridKey lookup{"lookup", {"nearest", "bilinear"}};
     if (request.quick) {
