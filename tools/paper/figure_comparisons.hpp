@@ -2,7 +2,8 @@
 // and figure 3 in fixed point and on the AP-120B.
 #pragma once
 
-#include "tools/paper/figure_set.hpp"
+#include "tools/io/files.hpp"
+"tools/paper/figure_set.hpp"
 
 namespace umbra78::tools {
 
