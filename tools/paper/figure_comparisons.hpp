@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tools/io/files.hpp"
-"tools/paper/figure_set.hpp"
+#include "tools/paper/figure_set.hpp"
 
 namespace umbra78::tools {
 

@@ -1,0 +1,56 @@
+// What the frame comes to, in figures: errors, the pattern in them, cycles, milliseconds.
+import { byId, element, grouped, percent, short } from './dom.js';
+
+const WHITE_NOISE = 0.5615;  // its spectral flatness (tools/truth/spectrum.hpp)
+
+// id, name, help
+const meters = [
+  ['false_shadow', 'false shadow', 'of the pixels that exact geometry lights'],
+  ['false_light', 'false light', 'of the pixels in true shadow'],
+  ['isolated', 'isolated pixels', 'whose neighbours all have the other answer'],
+  ['flatness', 'flatness', `of the error\u2019s spectrum: near 0 is moire, ${WHITE_NOISE} noise`],
+  ['period', 'period', 'of the spectrum\u2019s highest line'],
+  ['cycles', 'machine cycles', 'of the whole frame, and its seconds in 1978'],
+  ['host', 'this computer', 'the frame in this browser: what was drawn anew'],
+];
+
+export class Gauges {
+  constructor() {
+    for (const [id, name, help] of meters)
+      byId('gauges').append(element('div.gauge', { title: help },
+        element('dt', {}, name), element('dd', { id: `gauge-${id}` }, '\u2026'),
+        element('p.help', {}, help)));
+  }
+
+  #put(id, text) {
+    const field = byId(`gauge-${id}`);
+    field.textContent = text;
+    field.classList.remove('stale');
+  }
+
+  expect() {
+    for (const [id] of meters) if (id !== 'host') byId(`gauge-${id}`).classList.add('stale');
+  }
+
+  takeFrame(frame) {
+    const ms = frame.host_ms;
+    this.#put('host', `${ms.total.toFixed(1)} ms`);
+    byId('gauge-host').title = Object.entries(ms)
+      .map(([stage, time]) => `${stage} ${time.toFixed(1)} ms`).join(', ');
+  }
+
+  takeMachine({ cycles, ms }) {
+    this.#put('cycles', `${grouped(cycles)} \u00b7 ${(ms / 1000).toFixed(2)} s`);
+  }
+
+  takeError(answer) {
+    const { error } = answer;
+    byId('why-no-truth').textContent = error ? '' : `Errors: n/a (${answer.because}).`;
+    const rates = error?.at_threshold ?? error;
+    this.#put('false_shadow', percent(rates?.false_shadow));
+    this.#put('false_light', percent(rates?.false_light));
+    this.#put('isolated', error ? grouped(answer.isolated_pixels) : 'n/a');
+    this.#put('flatness', answer.flatness ? answer.flatness.toFixed(2) : 'n/a');
+    this.#put('period', answer.period_px ? `${short(answer.period_px, 3)} pixels` : 'n/a');
+  }
+}
