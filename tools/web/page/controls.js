@@ -10,11 +10,13 @@ const mostSteps = 8192;  // a slider with more is a number alone
 export class Controls {
   #change;    // (key, value) or (key, null), which is the scene's own
   #rows = new Map();
-  #bias = null;
+  #bias = null;      // the unit in use
+  #biasUnit;         // of the default bias
 
   constructor(table, change) {
     this.#change = change;
     const settings = new Map(table.settings.map((setting) => [setting.key, setting]));
+    this.#biasUnit = settings.get('bias_unit').default;
     this.#profiles(table.profiles);
     for (const key of first) byId('first-settings').append(this.#row(settings.get(key)));
     for (const [key, setting] of settings)
@@ -90,15 +92,15 @@ export class Controls {
     });
     const labelled = fields.map((field, k) => element('label.unit', {}, field, ` ${units[k]}`));
     const put = (value, frame) => {
-      const unit = frame.settings.bias_unit;
-      const known = frame.bias ?? {};
+      const unit = frame.settings.bias_unit, known = frame.bias ?? {};
+      // The slider reaches to four times the default bias, which is in a unit of its own.
+      const most = known[this.#biasUnit] ? 4 * setting.default * known[unit] / known[this.#biasUnit]
+                                         : Number(slider.max);
       this.#bias = { unit };
-      // Eight times the machine's default bias, 64 quanta, in the unit in use.
-      const scale = known.quanta ? known[unit] / known.quanta : this.#bias.scale ?? 1;
-      slider.max = Math.max(8 * setting.default * scale, value);
+      slider.max = Math.max(most, value);
       slider.value = value;
       fields.forEach((field, k) => {
-        field.value = known.quanta === undefined ? '' : short(known[units[k]]);
+        field.value = known.quanta === undefined ? '' : short(known[units[k]], 11);
         field.classList.toggle('in-use', units[k] === unit);
       });
     };

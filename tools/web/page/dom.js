@@ -20,7 +20,8 @@ export function paint(canvas, picture) {
   canvas.getContext('2d').putImageData(new ImageData(picture.rgba, picture.size), 0, 0);
 }
 
-export const grouped = (n) => Math.round(n).toString().replace(/\B(?=(\d{3})+$)/g, '\u2009');
+export const grouped = (n) => n < 10000
+  ? String(n) : Math.round(n).toString().replace(/\B(?=(\d{3})+$)/g, '\u2009');
 export const percent = (rate) => rate === null || rate === undefined
   ? 'n/a' : `${(100 * rate).toFixed(2)} %`;
 // A number with so many significant digits and no trailing zeros.

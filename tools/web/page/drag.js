@@ -9,12 +9,13 @@ const still = 4;            // pixels of the screen within which a press is a cl
 export function turned(view, byAzimuth, byElevation) {
   const azimuth = ((view.azimuth + byAzimuth + 540) % 360) - 180;
   const elevation = Math.min(85, Math.max(-85, view.elevation + byElevation));
+  const text4 = (n) => Math.round(n * 1e4) / 1e4;
   const text = (n) => String(Math.round(n * 100) / 100);
   if (view.name === 'observer' || !view.perspective)
     return { [`${view.name}.azimuth`]: text(azimuth), [`${view.name}.elevation`]: text(elevation) };
   const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
   const back = [Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)];
-  const place = back.map((along, k) => Math.round((view.target[k] + view.distance * along) * 1e4) / 1e4);
+  const place = back.map((along, k) => text4(view.target[k] + view.distance * along));
   return { [`${view.name}.position`]: `[${place.join(', ')}]` };
 }
 

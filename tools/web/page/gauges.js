@@ -10,8 +10,8 @@ const meters = [
   ['isolated', 'isolated pixels', 'whose neighbours all have the other answer'],
   ['flatness', 'flatness', `of the error\u2019s spectrum: near 0 is moire, ${WHITE_NOISE} noise`],
   ['period', 'period', 'of the spectrum\u2019s highest line'],
-  ['cycles', 'machine cycles', 'of the whole frame, and its seconds in 1978'],
-  ['host', 'this computer', 'the frame in this browser: what was drawn anew'],
+  ['cycles', 'machine cycles', 'of the whole frame'],
+  ['host', 'this computer', 'what of the frame was drawn anew'],
 ];
 
 export class Gauges {
@@ -19,7 +19,7 @@ export class Gauges {
     for (const [id, name, help] of meters)
       byId('gauges').append(element('div.gauge', { title: help },
         element('dt', {}, name), element('dd', { id: `gauge-${id}` }, '\u2026'),
-        element('p.help', {}, help)));
+        element('p.help', { id: `help-${id}` }, help)));
   }
 
   #put(id, text) {
@@ -35,12 +35,14 @@ export class Gauges {
   takeFrame(frame) {
     const ms = frame.host_ms;
     this.#put('host', `${ms.total.toFixed(1)} ms`);
-    byId('gauge-host').title = Object.entries(ms)
-      .map(([stage, time]) => `${stage} ${time.toFixed(1)} ms`).join(', ');
+    byId('help-host').textContent = `light ${ms.light.toFixed(1)}, observer ` +
+      `${ms.observer.toFixed(1)}, shadow ${ms.post_process.toFixed(1)}, filters ` +
+      `${ms.filters.toFixed(1)}`;
   }
 
   takeMachine({ cycles, ms }) {
-    this.#put('cycles', `${grouped(cycles)} \u00b7 ${(ms / 1000).toFixed(2)} s`);
+    this.#put('cycles', grouped(cycles));
+    byId('help-cycles').textContent = `of the whole frame: ${(ms / 1000).toFixed(2)} s in 1978`;
   }
 
   takeError(answer) {

@@ -53,7 +53,8 @@ export class Machine {
   picture(name) {
     const { size, at, bytes } = this.ask({ do: 'picture', name });
     if (size === 0) return null;
-    return { name, size, rgba: new Uint8ClampedArray(this.#exports.memory.buffer, at, bytes).slice() };
+    const inMachine = new Uint8ClampedArray(this.#exports.memory.buffer, at, bytes);
+    return { name, size, rgba: inMachine.slice() };
   }
 }
 

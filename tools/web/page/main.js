@@ -6,7 +6,8 @@ import { Drag, turned } from './drag.js';
 import { Gauges } from './gauges.js';
 import { Pipeline, cyclesShown } from './pipeline.js';
 import { PixelPanel, texelRequest, texelsOf } from './pixel.js';
-import { commandOf, firstState, fromHash, fromPreset, isPreset, overrides, toHash } from './state.js';
+import { commandOf, firstState, fromHash, fromPreset, isPreset, overrides,
+         toHash } from './state.js';
 import { Views, drawnNames, settledNames, shown } from './views.js';
 
 const settleMs = 80;  // without a further change before what takes longer is asked for
@@ -24,8 +25,8 @@ const sceneRequest = ({ scene, text, set }) => ({ scene, text, set: overrides(se
 
 function draw() {
   const mine = ++version;
+  delete document.documentElement.dataset.settled;
   client.draw({ ...sceneRequest(state), names: drawnNames }, (answer) => take(answer, mine));
-  writeAddress();
   showState();
 }
 
@@ -101,7 +102,9 @@ function writeAddress() {
 
 // What the page shows of the state by itself.
 function showState() {
-  const preset = presets.find((each) => isPreset(state, each));
+  writeAddress();
+  const alike = presets.filter((each) => isPreset(state, each));
+  const preset = alike.find((each) => each.plane === state.show) ?? alike[0];
   for (const button of byId('figures').children)
     button.setAttribute('aria-pressed', String(button.dataset.name === preset?.name));
   byId('gallery').value = preset && !preset.name.startsWith('figure') ? preset.name : '';
@@ -130,7 +133,7 @@ function go(next) {
 function choose(name) {
   state = { ...state, show: name };
   views.choose(name);
-  writeAddress();
+  showState();
 }
 
 function forgetPixel() {

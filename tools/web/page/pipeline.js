@@ -31,7 +31,11 @@ export class Pipeline {
     this.#go(0);
   }
 
-  hide() { this.#stop(); byId('pipeline').hidden = true; byId('pipeline-summary').textContent = ''; }
+  hide() {
+    this.#stop();
+    byId('pipeline').hidden = true;
+    byId('pipeline-summary').textContent = '';
+  }
 
   #summary(log) {
     return `A pixel enters every ${log.slot_cycles} cycles and is ${log.latency} cycles on its ` +

@@ -84,4 +84,4 @@ export class PixelPanel {
   }
 }
 
-export const texelRequest = (at) => ({ do: 'around', plane: 'light_z', x: at[0], y: at[1], radius });
+export const texelRequest = ([x, y]) => ({ do: 'around', plane: 'light_z', x, y, radius });
