@@ -11,8 +11,8 @@ namespace umbra78::tools::web {
 
 // `count` cycles of the clocked post-process over the frame, from cycle `from` on:
 //   {"stages": ["multiply", ...], "pixels_read": ..., "done": false,
-//    "cycles": [{"cycle": 7030, "reader": ["read", x, y], "stages": [["work", 12, x, y], null, ...],
-//                "released": 13}, ...]}
+//    "cycles": [{"cycle": 7030, "reader": ["read", x, y, "visible"],
+//                "stages": [["work", 12, x, y], null, ...], "released": 13}, ...]}
 // A stage's entry is what it did, the point's number, and its pixel; null is a bubble. Throws
 // SceneError for a frame that is not clocked.
 nlohmann::ordered_json cycles_json(const RenderJob&, std::uint64_t from, int count);

@@ -7,6 +7,7 @@ const WHITE_NOISE = 0.5615;  // its spectral flatness (tools/truth/spectrum.hpp)
 const meters = [
   ['false_shadow', 'false shadow', 'of the pixels that exact geometry lights'],
   ['false_light', 'false light', 'of the pixels in true shadow'],
+  ['mean', 'mean error', 'of the light that exact geometry sees, grey levels included'],
   ['isolated', 'isolated pixels', 'whose neighbours all have the other answer'],
   ['flatness', 'flatness', `of the error\u2019s spectrum: near 0 is moire, ${WHITE_NOISE} noise`],
   ['period', 'period', 'of the spectrum\u2019s highest line'],
@@ -51,6 +52,7 @@ export class Gauges {
     const rates = error?.at_threshold ?? error;
     this.#put('false_shadow', percent(rates?.false_shadow));
     this.#put('false_light', percent(rates?.false_light));
+    this.#put('mean', percent(error?.graded.mean_absolute));
     this.#put('isolated', error ? grouped(answer.isolated_pixels) : 'n/a');
     this.#put('flatness', answer.flatness ? answer.flatness.toFixed(2) : 'n/a');
     this.#put('period', answer.period_px ? `${short(answer.period_px, 3)} pixels` : 'n/a');

@@ -104,7 +104,7 @@ function writeAddress() {
 function showState() {
   writeAddress();
   const alike = presets.filter((each) => isPreset(state, each));
-  const preset = alike.find((each) => each.plane === state.show) ?? alike[0];
+  const preset = alike.find((each) => each.plane === state.show) ?? alike.at(-1);
   for (const button of byId('figures').children)
     button.setAttribute('aria-pressed', String(button.dataset.name === preset?.name));
   byId('gallery').value = preset && !preset.name.startsWith('figure') ? preset.name : '';
