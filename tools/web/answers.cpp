@@ -47,11 +47,19 @@ std::string why_no_truth(const LoadedScene& scene) {
                           "umbra78 has and a browser has not";
 }
 
+// As umbra78 render has them: a rate of no pixels is n/a.
+ordered_json rates_json(const ShadowError& error) {
+    ordered_json json{{"false_shadow", nullptr}, {"false_light", nullptr}};
+    if (error.lit > 0) json["false_shadow"] = error.false_shadow_rate();
+    if (error.shadowed > 0) json["false_light"] = error.false_light_rate();
+    return json;
+}
+
 constexpr int spectrum_px = 64;
 
 }  // namespace
 
-ordered_json frame_json(const Session& session) {
+ordered_json frame_json(Session& session) {
     const RenderJob& job = session.job();
     const LoadedScene& scene = session.scene();
     ordered_json json;
@@ -72,6 +80,9 @@ ordered_json frame_json(const Session& session) {
     json["method"] = shadow::method_of(job.inputs()).name;
     json["has_truth"] = scene.has_closed_form();
     json["warnings"] = lines_of(scene.warnings);
+    json["isolated_pixels"] =
+        isolated_pixels(session.mask(), job.settings().machine.size_px());
+    if (session.knows_truth()) json["rates"] = rates_json(session.rates());
     return json;
 }
 
@@ -103,7 +114,6 @@ ordered_json error_json(Session& session) {
         periodogram(study::busiest_window(*truth, session.mask(), spectrum_px), spectrum_px),
         spectrum_px);
     ordered_json json{{"error", to_json(std::optional(report))},
-                      {"isolated_pixels", report.isolated_pixels},
                       {"windows", whole.flatness.windows}};
     json["flatness"] =
         whole.flatness.windows > 0 ? ordered_json(whole.flatness.median) : ordered_json(nullptr);

@@ -11,8 +11,9 @@
 namespace umbra78::tools::web {
 
 // Of the frame as drawn: its planes' names and sizes, each stage's host milliseconds, the bias in
-// three units, the views' angles and places, the settings, and the scene's warnings.
-nlohmann::ordered_json frame_json(const Session&);
+// three units, the views' angles and places, the settings, the scene's warnings, isolated pixels,
+// and the rates of error if truth is known already.
+nlohmann::ordered_json frame_json(Session&);
 
 // {"mask": "u8:512x512:fnv1a64:...", ...}, as umbra78 render --json has it.
 nlohmann::ordered_json hashes_json(const Session&);

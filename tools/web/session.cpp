@@ -67,6 +67,10 @@ MachineMask Session::mask() {
     return {job_->bytes(Plane::filtered), visible_};
 }
 
+ShadowError Session::rates() {
+    return shadow_error(truth_->truth, mask(), truth_->unlit_side);
+}
+
 ShadowReport Session::error() {
     const Buffer depths = job_->buffer(Plane::observer_z);
     return report(*truth_, mask(),

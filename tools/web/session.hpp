@@ -39,11 +39,14 @@ public:
     const LoadedScene& scene() const { return *scene_; }  // of the frame that was drawn
     const RenderJob& job() const { return *job_; }
 
-    // Null where there is no closed form: n/a.
+    // Traced where it is not known yet. Null where there is no closed form: n/a.
     const SceneTruth* truth();
+    bool knows_truth() const { return truth_ && traced_key_ == truth_key_; }
     // Of the first light's mask, after the filters.
     ShadowReport error();
     MachineMask mask();
+    // Its rates alone, which take no time worth speaking of; needs knows_truth().
+    ShadowError rates();
 
 private:
     bool job_has_room_for(const LoadedScene&) const;

@@ -36,6 +36,8 @@ export class Gauges {
   takeFrame(frame) {
     const ms = frame.host_ms;
     this.#put('host', `${ms.total.toFixed(1)} ms`);
+    this.#put('isolated', grouped(frame.isolated_pixels));
+    if (frame.rates) this.#takeRates(frame.rates);
     byId('help-host').textContent = `light ${ms.light.toFixed(1)}, observer ` +
       `${ms.observer.toFixed(1)}, shadow ${ms.post_process.toFixed(1)}, filters ` +
       `${ms.filters.toFixed(1)}`;
@@ -46,14 +48,16 @@ export class Gauges {
     byId('help-cycles').textContent = `of the whole frame: ${(ms / 1000).toFixed(2)} s in 1978`;
   }
 
+  #takeRates(rates) {
+    this.#put('false_shadow', percent(rates?.false_shadow));
+    this.#put('false_light', percent(rates?.false_light));
+  }
+
   takeError(answer) {
     const { error } = answer;
     byId('why-no-truth').textContent = error ? '' : `Errors: n/a (${answer.because}).`;
-    const rates = error?.at_threshold ?? error;
-    this.#put('false_shadow', percent(rates?.false_shadow));
-    this.#put('false_light', percent(rates?.false_light));
+    this.#takeRates(error?.at_threshold ?? error);
     this.#put('mean', percent(error?.graded.mean_absolute));
-    this.#put('isolated', error ? grouped(answer.isolated_pixels) : 'n/a');
     this.#put('flatness', answer.flatness ? answer.flatness.toFixed(2) : 'n/a');
     this.#put('period', answer.period_px ? `${short(answer.period_px, 3)} pixels` : 'n/a');
   }

@@ -6,7 +6,7 @@ import { Drag, turned } from './drag.js';
 import { Gauges } from './gauges.js';
 import { Pipeline, cyclesShown } from './pipeline.js';
 import { PixelPanel, texelRequest, texelsOf } from './pixel.js';
-import { commandOf, firstState, fromHash, fromPreset, isPreset, overrides,
+import { commandOf, firstState, fitsAddress, fromHash, fromPreset, isPreset, overrides,
          toHash } from './state.js';
 import { Views, drawnNames, settledNames, shown } from './views.js';
 
@@ -109,6 +109,9 @@ function showState() {
     button.setAttribute('aria-pressed', String(button.dataset.name === preset?.name));
   byId('gallery').value = preset && !preset.name.startsWith('figure') ? preset.name : '';
   byId('command').textContent = commandOf(state);
+  byId('copy-link').disabled = !fitsAddress(state);
+  byId('copy-link').title = fitsAddress(state) ? 'the address has all that is set here'
+                                               : 'this scene is too long for a link';
   byId('drop-other').hidden = byId('wipe-row').hidden = byId('wipe-line').hidden = !state.other;
   byId('other-is').textContent = state.other
     ? `Left: ${state.other.text === null ? state.other.scene : 'pasted scene'} ` +
@@ -259,6 +262,8 @@ async function start() {
   pipeline = new Pipeline((cycle) => pixelPanel.showCycle(cycle));
   listPresets();
   wire();
+  // Without a state in its address the page opens with the moire.
+  if (location.hash === '') state = fromPreset(presets.find(({ golden }) => golden === 'mask3'));
   if (!shown.some((view) => view.name === state.show)) state.show = firstState.show;
   views.choose(state.show);
   if (!state.pixel) forgetPixel();

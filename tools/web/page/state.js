@@ -13,6 +13,9 @@ export const firstState = {
   scene: 'figures.toml', text: null, set: {}, show: 'picture', pixel: null, other: null, wipe: 0.5,
 };
 
+// Whether a link can carry all of it.
+export const fitsAddress = ({ text }) => text === null || text.length <= longestText;
+
 function sceneFields({ scene, text, set }) {
   const fields = new URLSearchParams({ scene });
   if (text !== null && text.length <= longestText) fields.set('text', text);
