@@ -42,9 +42,9 @@ ordered_json view_json(const std::string& name, const raster::View& view,
 }
 
 std::string why_no_truth(const LoadedScene& scene) {
-    return scene.stream ? "a stream is not held"
-                        : "exact truth of patches and meshes needs Embree, which the program "
-                          "umbra78 has and a browser has not";
+    return scene.has_closed_form() ? "of a frame this large it takes too long in a browser"
+                                   : "exact truth of patches and meshes needs Embree, which the "
+                                     "program umbra78 has and a browser has not";
 }
 
 // As umbra78 render has them: a rate of no pixels is n/a.

@@ -22,6 +22,16 @@ Picture from_rgb(int size, std::span<const std::uint8_t> rgb) {
     return made;
 }
 
+// The observer's view in colour.
+Picture from_channels(int size, const RenderJob& job) {
+    Picture made{size, std::vector<std::uint8_t>(4 * std::size_t(size) * size, 255)};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::span<const std::uint8_t> channel = job.bytes({Plane::intensity, 0, c});
+        for (std::size_t at = 0; at < channel.size(); ++at) made.rgba[4 * at + c] = channel[at];
+    }
+    return made;
+}
+
 Picture from_plane(const Buffer& buffer) {
     if (const auto* bytes = std::get_if<std::span<const std::uint8_t>>(&buffer.values))
         return from_gray(buffer.size_px, *bytes);
@@ -34,6 +44,7 @@ Picture picture_of(Session& session, const std::string& name) {
     const RenderJob& job = session.job();
     const int size = job.settings().machine.size_px();
     if (name == "picture" && job.coloured()) return from_rgb(size, job.rgb());
+    if (name == "intensity" && job.coloured()) return from_channels(size, job);
     if (name == "error" || name == "spectrum") {
         const SceneTruth* truth = session.truth();
         if (truth == nullptr) return {};

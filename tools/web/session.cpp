@@ -56,7 +56,8 @@ bool Session::job_has_room_for(const LoadedScene& next) const {
 const SceneTruth* Session::truth() {
     if (traced_key_ != truth_key_) {
         truth_.reset();
-        if (scene_->has_closed_form()) truth_ = trace(*scene_);
+        const bool fits = scene_->settings.machine.size_px() <= most_traced_px;
+        if (scene_->has_closed_form() && fits) truth_ = trace(*scene_);
         traced_key_ = truth_key_;
     }
     return truth_ ? &*truth_ : nullptr;

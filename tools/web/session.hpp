@@ -26,6 +26,9 @@ struct Request {
     std::vector<std::string> set{};
 };
 
+// Truth of a larger frame takes more memory and time than a page should: some 130 bytes a pixel.
+inline constexpr int most_traced_px = 2048;
+
 class Session {
 public:
     void hand_in(const std::string& path, std::string text) { files_[path] = std::move(text); }
@@ -39,7 +42,8 @@ public:
     const LoadedScene& scene() const { return *scene_; }  // of the frame that was drawn
     const RenderJob& job() const { return *job_; }
 
-    // Traced where it is not known yet. Null where there is no closed form: n/a.
+    // Traced where it is not known yet. Null where there is no closed form, or
+    // the frame is too large: n/a.
     const SceneTruth* truth();
     bool knows_truth() const { return truth_ && traced_key_ == truth_key_; }
     // Of the first light's mask, after the filters.

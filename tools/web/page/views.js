@@ -43,7 +43,16 @@ export class Views {
 
   get show() { return this.#show; }
   picture(name) { return this.#pictures.get(name) ?? null; }
-  hash(name) { return this.#hashes[name] ?? null; }
+
+  // A plane's hash and the golden that has it; of a coloured frame one for each channel.
+  #published(name) {
+    const names = name in this.#hashes ? [name]
+                                       : ['red', 'green', 'blue'].map((each) => `${name}_${each}`);
+    const hashes = names.map((each) => this.#hashes[each]).filter((hash) => hash);
+    const goldens = hashes.map((hash) => this.#goldens.get(hash)).filter((golden) => golden);
+    const all = hashes.length > 0 && goldens.length === hashes.length;
+    return { hash: hashes.join(' '), golden: all ? goldens.join(', ') : '' };
+  }
 
   // Pictures of a frame. Those that take longer come later and are marked until then.
   take(pictures) {
@@ -79,7 +88,7 @@ export class Views {
   takeHashes(hashes) {
     this.#hashes = hashes;
     for (const [name, { badge }] of this.#tiles) {
-      const golden = this.#goldens.get(hashes[name]);
+      const { golden } = this.#published(name);
       badge.textContent = golden ? '\u2713' : '';
       badge.title = golden ? `equals the golden ${golden}` : '';
     }
@@ -109,8 +118,8 @@ export class Views {
     const view = shown.find((each) => each.name === this.#show);
     byId('stage-title').textContent = view.title;
     byId('stage-of').textContent = view.of;
-    const hash = this.#hashes[this.#show], golden = this.#goldens.get(hash);
-    byId('stage-hash').textContent = hash ?? '';
+    const { hash, golden } = this.#published(this.#show);
+    byId('stage-hash').textContent = hash;
     byId('stage-golden').textContent = golden ? `\u2713 golden ${golden}` : '';
   }
 
