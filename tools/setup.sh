@@ -6,6 +6,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 core_packages="g++ cmake make libgtest-dev"
 program_packages="g++ cmake make libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
 libstb-dev libkissfft-dev"
+# The live page's machine is compiled to WebAssembly.
+page_packages="clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32
+libclang-rt-19-dev-wasm32 wasi-libc libfmt-dev libtomlplusplus-dev nlohmann-json3-dev
+libkissfft-dev libstb-dev"
 
 installed() { [ "$(dpkg-query -W -f '${Status}' "$1" 2>/dev/null)" = "install ok installed" ]; }
 
@@ -43,8 +47,15 @@ want() {
 # ninja, which keeps all cores busy to the end, or, where that cannot be installed, with make, and
 # several files at a time, which takes half the time (-DUMBRA78_UNITY=OFF for one's own folder).
 build() {
-  local folder=$root/build/$1 targets=$2 log generator=""
-  shift 2
+  local folder=$1
+  shift
+  build_in "$folder" "$root" "$@"
+}
+
+# build_in FOLDER SOURCES TARGETS CMAKE-OPTION ...: the same for another CMakeLists.txt.
+build_in() {
+  local folder=$root/build/$1 sources=$2 targets=$3 log generator=""
+  shift 3
   mkdir -p "$folder"
   log=$folder/build.log
   echo "building ${folder#"$root"/}"
@@ -53,7 +64,7 @@ build() {
     ! command -v ninja >/dev/null || generator="-GNinja"
     generator="$generator -DUMBRA78_UNITY=ON"
   fi
-  if ! { cmake -S "$root" -B "$folder" $generator "$@" &&
+  if ! { cmake -S "$sources" -B "$folder" $generator "$@" &&
     cmake --build "$folder" --target $targets -j "$(nproc)"; } >"$log" 2>&1; then
     cat "$log" >&2
     echo "the build failed; its output is above and in $log" >&2

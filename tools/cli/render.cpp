@@ -1,6 +1,7 @@
 // umbra78 render: draws a scene file and writes its picture, its buffers, errors and costs.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/io/buffer_files.hpp"
 #include "tools/render/cycle_report.hpp"
 #include "tools/render/error_map.hpp"
 #include "tools/render/frame_warnings.hpp"

@@ -1,17 +1,16 @@
-// A frame's buffers by name: their hashes, their files, and the first place where two differ.
+// A frame's buffers by name, and their hashes. tools/io/buffer_files.hpp has their files.
 //
 // A hash is FNV-1a-64 over the values, row by row from the top, high byte first, preceded by
 // the format: "u16be:512x512:fnv1a64:0123456789abcdef". Z is u16be up to 16 bits, else u32be;
 // everything else is u8.
 #pragma once
 
-#include "tools/io/files.hpp"
-
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace umbra78::tools {
 
@@ -32,22 +31,6 @@ struct Buffer {
 };
 
 std::string hash_of(const Buffer&);
-
-// PGM of one byte a value up to maxval 255, else of two. Z of more than 16 bits keeps its upper
-// 16; NPY keeps everything.
-void write_pgm(const Path&, const Buffer&, FileSet* set = nullptr);
-void write_npy(const Path&, const Buffer&, FileSet* set = nullptr);
-
-// Where a buffer is not what was expected.
-struct Difference {
-    int x, y;  // the first in reading order
-    std::uint32_t expected, actual;
-    std::size_t pixels;  // that differ
-};
-std::optional<Difference> compare(const Pgm& expected, const Buffer& actual);
-
-// The buffer in gray, the pixels that differ in red; rgb, three bytes a pixel.
-std::vector<std::uint8_t> difference_picture(const Pgm& expected, const Buffer& actual);
 
 // Depth codes as gray: the nearest drawn code 255, the farthest 40, the background 0.
 std::vector<std::uint8_t> depth_as_gray(const Buffer&);

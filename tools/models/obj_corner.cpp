@@ -41,7 +41,7 @@ ObjCorner read_corner(const ModelWord& word, std::size_t vertices, std::size_t n
     if (part > 3) report_corner(word, name, error);
     ObjCorner corner{.line = word.line};
     corner.vertex = read_number(parts[0], vertices, word, name, error);
-    constexpr std::size_t any = INT64_MAX;  // texture's vertices are not looked at
+    constexpr std::size_t any = SIZE_MAX / 2;  // texture's vertices are not looked at
     if (!parts[1].empty()) read_number(parts[1], any, word, name, error);
     if (!parts[2].empty()) corner.normal = read_number(parts[2], normals, word, name, error);
     return corner;

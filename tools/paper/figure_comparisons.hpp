@@ -2,6 +2,7 @@
 // and figure 3 in fixed point and on the AP-120B.
 #pragma once
 
+#include "tools/io/files.hpp"
 #include "tools/paper/figure_set.hpp"
 
 namespace umbra78::tools {

@@ -5,7 +5,7 @@
 // pictures show where a buffer differs; the hashes are for programs that do not read pictures.
 #pragma once
 
-#include "tools/io/buffers.hpp"
+#include "tools/io/buffer_files.hpp"
 
 #include <map>
 #include <span>

@@ -1,7 +1,7 @@
 #include "tools/render/sequence_manifest.hpp"
 
 #include "fixed/fnv.hpp"
-#include "tools/io/buffers.hpp"
+#include "tools/io/buffer_files.hpp"
 #include "tools/render/report.hpp"
 
 #include <fmt/format.h>

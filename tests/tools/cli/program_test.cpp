@@ -2,6 +2,7 @@
 #include "shadow/frame/profiles.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
+#include "tools/io/buffer_files.hpp"
 #include "tools/paper/figure_set.hpp"
 #include "tools/truth/patch_truth.hpp"
 

@@ -2,7 +2,8 @@
 // beat of the two grids, the shadow with a bad noise generator, and the spectrum of the error.
 #pragma once
 
-#include "tools/study/measures.hpp"
+#include "tools/render/render_job.hpp"
+#include "tools/truth/scene_truth.hpp"
 #include "tools/truth/spectrum_shape.hpp"
 
 #include <string_view>

@@ -2,6 +2,7 @@
 // which reading of the paper's sentence on the two bands fits.
 #pragma once
 
+#include "tools/study/measures.hpp"
 #include "tools/study/moire/frame.hpp"
 
 namespace umbra78::tools::study {
