@@ -3,9 +3,10 @@
 # C++ and in C99 are built against it, in CMake and by hand, and draw the goldens; the program finds
 # its scenes and goldens; nothing names the place where it was built. And the Debian package holds
 # the same, runs from an unpacked tree, and is installed and removed without a trace.
-#   installed.sh BUILD-FOLDER
+#   installed.sh BUILD-FOLDER [PYTHON]
 set -eu
 build=$1
+python=${2:-python3}
 . "$(dirname "$0")/../support/core.sh"
 prefix=$scratch/prefix
 CC=${CC:-cc}
@@ -84,6 +85,18 @@ if [ -x "$prefix/bin/umbra78" ]; then
   offers "umbra78 render x.toml --set lookup=bi" "bilinear"
 fi
 
+# The module for Python, where it was built.
+module() { # module PREFIX
+  local packages=$1/lib/python3/dist-packages
+  [ -d "$packages/umbra78" ] || return 0
+  PYTHONPATH=$packages "$python" -B -c "
+import umbra78
+frame = umbra78.render(umbra78.Scene.file(umbra78.scenes() / 'figures.toml'), truth=False)
+print('picture6', frame.hashes['picture'])" >"$scratch/drawn" || fail "$1: import umbra78"
+  grep -qxF -f tests/goldens/hashes.txt "$scratch/drawn" || fail "$1: Python draws another figure 6"
+}
+module "$prefix"
+
 # The Debian package.
 if command -v cpack >/dev/null && command -v dpkg-deb >/dev/null; then
   (cd "$build" && cpack -B "$scratch/deb") >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
@@ -91,6 +104,7 @@ if command -v cpack >/dev/null && command -v dpkg-deb >/dev/null; then
   dpkg-deb -x "$package" "$scratch/tree"
   [ ! -x "$scratch/tree/usr/bin/umbra78" ] || program "$scratch/tree/usr"
   [ ! -x "$scratch/tree/usr/bin/umbra78" ] || manual "$scratch/tree/usr"
+  module "$scratch/tree/usr"
   find "$scratch/tree" -perm -002 ! -type l | grep . && fail "the package has files all may write"
   if [ "$(id -u)" -eq 0 ]; then # dpkg itself, with a root and a database of its own
     mkdir -p "$scratch/dpkg"/{updates,info,triggers}
