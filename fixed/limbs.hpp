@@ -72,6 +72,17 @@ constexpr Limb subtract_product(std::span<Limb> a, std::span<const Limb> b, Limb
     return borrow;
 }
 
+// a *= factor; returns what does not fit.
+constexpr Limb multiply_by(std::span<Limb> a, Limb factor) {
+    Limb carry = 0;
+    for (Limb& limb : a) {
+        const Word128 product = add_wide(multiply_wide(limb, factor), {0, carry});
+        limb = product.low;
+        carry = product.high;
+    }
+    return carry;
+}
+
 // out = a * b, where out is all 0 before; false if the product does not fit.
 constexpr bool multiply(std::span<Limb> out, std::span<const Limb> a, std::span<const Limb> b) {
     const std::size_t na = used(a), nb = used(b);

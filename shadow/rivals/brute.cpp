@@ -1,11 +1,14 @@
 #include "shadow/rivals/brute.hpp"
 
+#include <array>
+
 namespace umbra78::shadow::rivals {
 
 void brute(const Setting& setting, std::span<const std::uint32_t> shown, const LightGrid* grid,
            std::span<std::uint8_t> mask, BruteCounts& counts) {
     const Space& space = setting.space;
     const auto facets = static_cast<std::uint32_t>(setting.mesh.facets.size());
+    std::array<HidingLines, 32> lines;  // of facets asked not long ago
     std::size_t at = 0;
     for (int row = 0; row < space.size_px(); ++row) {
         for (int column = 0; column < space.size_px(); ++column, ++at) {
@@ -15,7 +18,7 @@ void brute(const Setting& setting, std::span<const std::uint32_t> shown, const L
             const std::int32_t px = space.centre(column), py = space.centre(row);
             const auto hidden_by = [&](std::uint32_t f) {
                 ++counts.facets;
-                return setting.hides(setting.light, f, on, px, py);
+                return lines[f % lines.size()].hide(setting, f, on, px, py);
             };
             ++counts.points;
             bool hidden = false;

@@ -83,38 +83,6 @@ private:
     int side_, shift_u_ = 0, shift_v_ = 0;
 };
 
-// Asks one facet of samples. Those of a list often show one facet, whose four lines are kept.
-class Asker {
-public:
-    Asker(const Setting& s, std::uint32_t facet) : s_(s), facet_(facet) {}
-    bool hides(std::uint32_t on, std::int32_t px, std::int32_t py) {
-        if (on == facet_) return false;
-        if (on != on_) {
-            on_ = on;
-            made_ = 0;
-        }
-        if (line(0).sign_at(px, py) != -s_.light.sides[facet_]) return false;
-        for (std::size_t k = 0; k < 3; ++k)
-            if (line(k + 1).sign_at(px, py) != s_.light.inside(s_.mesh, facet_, k)) return false;
-        return true;
-    }
-
-private:
-    const ScreenLine& line(std::size_t i) {
-        if (i == made_) {
-            const SeenPlane& plane =
-                i == 0 ? s_.planes[facet_] : s_.light.edge(s_.mesh, facet_, i - 1);
-            lines_[made_++] = meet(s_.planes[on_], plane);
-        }
-        return lines_[i];
-    }
-
-    const Setting& s_;
-    std::uint32_t facet_, on_ = nothing_seen;
-    std::size_t made_ = 0;
-    std::array<ScreenLine, 4> lines_;  // the facet's plane, its edges
-};
-
 }  // namespace
 
 bool irregular(const Setting& setting, std::span<const std::uint32_t> shown,
@@ -150,14 +118,15 @@ bool irregular(const Setting& setting, std::span<const std::uint32_t> shown,
     LightBox box{};
     for (std::uint32_t f = 0; f < setting.mesh.facets.size(); ++f) {
         if (setting.light.sides[f] == 0) continue;
-        Asker asker(setting, f);
+        HidingLines lines;
         for (int face = 0; face < picture.faces(); ++face) {
             if (!picture.box(setting.mesh.corners(f), face, box)) continue;
             grid.for_samples_in(box, counts, [&](const IrregularSample& s) {
                 if (mask[s.pixel] != lit) return;
                 ++counts.facets_asked;
-                if (asker.hides(shown[s.pixel], space.centre(static_cast<int>(s.pixel % size)),
-                                space.centre(static_cast<int>(s.pixel / size))))
+                if (lines.hide(setting, f, shown[s.pixel],
+                               space.centre(static_cast<int>(s.pixel % size)),
+                               space.centre(static_cast<int>(s.pixel / size))))
                     mask[s.pixel] = dark;
             });
         }

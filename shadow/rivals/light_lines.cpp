@@ -13,16 +13,52 @@ LightLinePieces lay_out(Carver& carver, const Mesh& mesh, std::size_t meetings) 
 }
 
 template <class Int>
+Int determinant(const std::array<Int, 3>& a, const std::array<Int, 3>& b,
+                const std::array<Int, 3>& c) {
+    const auto minor = [&](std::size_t i, std::size_t j) { return a[i] * b[j] - a[j] * b[i]; };
+    return c[0] * minor(1, 2) + c[1] * minor(2, 0) + c[2] * minor(0, 1);
+}
+
+template <class Int>
 int determinant_sign(const LightLine& a, const LightLine& b, const LightLine& c) {
-    const auto minor = [&](std::size_t i, std::size_t j) {
-        return Int(a.v[i]) * Int(b.v[j]) - Int(a.v[j]) * Int(b.v[i]);
+    const auto words = [](const LightLine& l) {
+        return std::array{Int(l.v[0]), Int(l.v[1]), Int(l.v[2])};
     };
-    const Int det = Int(c.v[0]) * minor(1, 2) + Int(c.v[1]) * minor(2, 0) +
-                    Int(c.v[2]) * minor(0, 1);
+    const Int det = determinant(words(a), words(b), words(c));
     return det.is_negative() ? -1 : det.is_zero() ? 0 : 1;
 }
 
 }  // namespace
+
+// --- the sign of three lines ----------------------------------------------------------------
+
+LeadingBits leading_of(const std::array<Sum, 3>& v) {
+    int longest = 0;
+    for (const Sum& number : v) longest = std::max(longest, number.bit_length());
+    const int s = std::max(0, longest - leading_bits);
+    LeadingBits leading;
+    for (std::size_t k = 0; k < 3; ++k)
+        leading[k] = static_cast<std::int32_t>((v[k] >> s).to_int64());
+    return leading;
+}
+
+// A number is its leading bits plus less than 1, in units of its line's 2^s. So of the six products
+// that make up the determinant each is within (M + 1)^3 - M^3 of that of the leading bits, where M
+// is the greatest of them. A determinant beyond six times that has its sign.
+int sign_by_leading(const LightLine& a, const LightLine& b, const LightLine& c) {
+    constexpr std::int64_t most = std::int64_t{1} << leading_bits;
+    constexpr std::int64_t error = 6 * (3 * most * (most + 1) + 1);
+    static_assert(most * most <= INT64_MAX / 6 / most);
+    const auto words = [](const LightLine& l) {
+        return std::array<std::int64_t, 3>{l.leading[0], l.leading[1], l.leading[2]};
+    };
+    const std::int64_t det = determinant(words(a), words(b), words(c));
+    return det > error ? 1 : det < -error ? -1 : 0;
+}
+
+int sign_by_all_bits(const LightLine& a, const LightLine& b, const LightLine& c) {
+    return determinant_sign<MeetingSum>(a, b, c);
+}
 
 // --- on the screen --------------------------------------------------------------------------
 
@@ -68,8 +104,9 @@ bool LightLines::make(const Setting& setting, std::size_t meetings, std::span<st
     const Mesh& mesh = setting.mesh;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const Edge& edge = mesh.edges[e];
-        edges_[e] = {numbers(plane_through(setting.light.centre, mesh.vertices[edge.low],
-                                           mesh.vertices[edge.high]))};
+        const auto v = numbers(plane_through(setting.light.centre, mesh.vertices[edge.low],
+                                             mesh.vertices[edge.high]));
+        edges_[e] = {v, leading_of(v)};
     }
     return true;
 }
@@ -110,6 +147,7 @@ LightLine LightLines::where_cut(std::uint32_t on, const Plane& plane) const {
     const auto va = numbers(a), vf = numbers(plane);
     LightLine line;
     for (std::size_t k = 0; k < 3; ++k) line.v[k] = at_a * vf[k] - at_f * va[k];
+    line.leading = leading_of(line.v);
     return line;
 }
 
@@ -120,8 +158,10 @@ const LightLine& LightLines::line(LineId id) const {
 int LightLines::sign(LineId a, LineId b, LineId c, SignCounts& counts) const {
     const bool wide = a.is_meeting() || b.is_meeting() || c.is_meeting();
     ++(wide ? counts.meetings : counts.edges);
-    const int s = wide ? determinant_sign<MeetingSum>(line(a), line(b), line(c))
-                       : determinant_sign<Sum>(line(a), line(b), line(c));
+    int s = sign_by_leading(line(a), line(b), line(c));
+    if (s == 0)
+        s = wide ? sign_by_all_bits(line(a), line(b), line(c))
+                 : determinant_sign<Sum>(line(a), line(b), line(c));
     return s * a.inside() * b.inside() * c.inside();
 }
 

@@ -55,9 +55,22 @@ private:
     std::uint32_t word_ = 0;
 };
 
+// The three numbers' leading bits: floor(v / 2^s) with one s for the three, at most 2^20 in
+// magnitude. They decide the sign of most triples in one word; three zeros leave it undecided.
+using LeadingBits = std::array<std::int32_t, 3>;
+inline constexpr int leading_bits = 20;
+
 struct LightLine {
     std::array<Sum, 3> v;
+    LeadingBits leading{};
 };
+
+LeadingBits leading_of(const std::array<Sum, 3>& v);
+
+// The sign of det(a, b, c); 0 where the leading bits leave it open.
+int sign_by_leading(const LightLine& a, const LightLine& b, const LightLine& c);
+// The definition: the sign of the determinant itself.
+int sign_by_all_bits(const LightLine& a, const LightLine& b, const LightLine& c);
 
 // Where the planes of two facets meet.
 struct Meeting {

@@ -8,20 +8,14 @@ namespace {
 using Rows = std::array<const LightLine*, 3>;
 
 int sign_of_rows(const Rows& r) {
-    const auto minor = [&](std::size_t i, std::size_t j) {
-        return MeetingSum(r[0]->v[i]) * MeetingSum(r[1]->v[j]) -
-               MeetingSum(r[0]->v[j]) * MeetingSum(r[1]->v[i]);
-    };
-    const MeetingSum det = MeetingSum(r[2]->v[0]) * minor(1, 2) +
-                           MeetingSum(r[2]->v[1]) * minor(2, 0) +
-                           MeetingSum(r[2]->v[2]) * minor(0, 1);
-    return det.is_negative() ? -1 : det.is_zero() ? 0 : 1;
+    const int s = sign_by_leading(*r[0], *r[1], *r[2]);
+    return s != 0 ? s : sign_by_all_bits(*r[0], *r[1], *r[2]);
 }
 
 inline constexpr std::size_t numbers_of_line = 3;
 const std::array<LightLine, numbers_of_line> units{
-    LightLine{{Sum(1), Sum(0), Sum(0)}}, LightLine{{Sum(0), Sum(1), Sum(0)}},
-    LightLine{{Sum(0), Sum(0), Sum(1)}}};
+    LightLine{{Sum(1), Sum(0), Sum(0)}, {}}, LightLine{{Sum(0), Sum(1), Sum(0)}, {}},
+    LightLine{{Sum(0), Sum(0), Sum(1)}, {}}};
 
 // The infinitesimal of number c of the line with rank k is h^(2^(3 k + c)): so a product of some of
 // them is greater than another if its set, as a binary number, is less. Its coefficient is the

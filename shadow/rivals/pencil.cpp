@@ -3,12 +3,12 @@
 namespace umbra78::shadow::rivals {
 namespace {
 
-struct Pieces {
+struct PencilParts {
     std::span<SeenPlane> planes, eye_edges, light_edges;
     std::span<std::int8_t> eye_sides, light_sides;
 };
 
-Pieces lay_out(Carver& carver, std::size_t facets, std::size_t edges) {
+PencilParts lay_out(Carver& carver, std::size_t facets, std::size_t edges) {
     return {carver.take<SeenPlane>(facets), carver.take<SeenPlane>(edges),
             carver.take<SeenPlane>(edges), carver.take<std::int8_t>(facets),
             carver.take<std::int8_t>(facets)};
@@ -34,7 +34,7 @@ std::size_t setting_bytes(std::size_t facets, std::size_t edges) {
 bool make_setting(const Space& space, const Mesh& mesh, const Centre& light,
                   std::span<std::byte> memory, Setting& out) {
     Carver carver(memory);
-    const Pieces p = lay_out(carver, mesh.facets.size(), mesh.edges.size());
+    const PencilParts p = lay_out(carver, mesh.facets.size(), mesh.edges.size());
     if (!carver.fits()) return false;
     const Centre& eye = space.eye();
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
@@ -59,6 +59,27 @@ bool Setting::hides(const Pencil& from, std::size_t f, std::size_t on, std::int3
         if (line.sign_at(px, py) != from.inside(mesh, f, k)) return false;
     }
     return meet(planes[on], planes[f]).sign_at(px, py) == -side;
+}
+
+bool HidingLines::hide(const Setting& s, std::uint32_t facet, std::uint32_t on, std::int32_t px,
+                       std::int32_t py) {
+    const int side = s.light.sides[facet];
+    if (side == 0 || facet == on) return false;
+    if (facet != facet_ || on != on_) {
+        facet_ = facet, on_ = on;
+        made_ = 0;
+    }
+    if (line(s, 0).sign_at(px, py) != -side) return false;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (line(s, k + 1).sign_at(px, py) != s.light.inside(s.mesh, facet, k)) return false;
+    return true;
+}
+
+const ScreenLine& HidingLines::line(const Setting& s, std::size_t i) {
+    if (i == made_)
+        lines_[made_++] =
+            meet(s.planes[on_], i == 0 ? s.planes[facet_] : s.light.edge(s.mesh, facet_, i - 1));
+    return lines_[i];
 }
 
 Run Setting::hidden_run(const Pencil& from, std::size_t f, std::size_t on, int row) const {

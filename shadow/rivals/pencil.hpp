@@ -13,6 +13,7 @@
 
 #include "shadow/rivals/mesh.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -49,6 +50,21 @@ struct Setting {
     Run hidden_run(const Pencil& from, std::size_t f, std::size_t on, int row) const;
     // The columns of a row that a facet covers, whatever lies before it.
     Run covered_run(std::size_t facet, int row) const;
+};
+
+// Setting::hides for the light, of points that often show the facet of the one before: the four
+// lines on it, by which it is told, are kept.
+class HidingLines {
+public:
+    bool hide(const Setting& s, std::uint32_t facet, std::uint32_t on, std::int32_t px,
+              std::int32_t py);
+
+private:
+    const ScreenLine& line(const Setting& s, std::size_t i);
+
+    std::uint32_t facet_ = UINT32_MAX, on_ = UINT32_MAX;
+    std::size_t made_ = 0;
+    std::array<ScreenLine, 4> lines_;  // the facet's plane, its edges
 };
 
 std::size_t setting_bytes(std::size_t facets, std::size_t edges);

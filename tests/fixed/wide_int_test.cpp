@@ -36,6 +36,10 @@ void expect_same(Int128 a, Int128 b) {
     }
     if (!__builtin_mul_overflow(a, b, &model)) {
         ASSERT_EQ(x * y, from_128<2>(model));
+        if (y.fits_int64()) {
+            ASSERT_EQ(x * y.to_int64(), x * y);
+            ASSERT_EQ(y.to_int64() * x, x * y);
+        }
     }
     constexpr Int128 min = Int128{1} << 126;
     if (b != 0 && (b != -1 || a >= -min)) {

@@ -31,6 +31,23 @@ TEST(RivalFuzz, ScenesAreFullOfTies) {
     EXPECT_GT(ties, 3'000u);
 }
 
+// Which brute force asks by lines that it keeps.
+TEST(RivalFuzz, BruteForceIsWhatHides) {
+    for (std::uint32_t seed = 0; seed < random_scenes; ++seed) {
+        const Scene scene(random_polygons(seed));
+        const Setting& s = scene.setting();
+        const auto mask = scene.brute_mask();
+        const int size = s.space.size_px();
+        for (std::size_t at = 0; at < mask.size(); ++at) {
+            const std::uint32_t on = scene.shown()[at];
+            const int column = static_cast<int>(at) % size, row = static_cast<int>(at) / size;
+            const bool is_dark = on != nothing_seen &&
+                                 (s.attached(on) || surfaces_before(s, on, column, row) > 0);
+            ASSERT_EQ(mask[at], is_dark ? dark : lit) << "seed " << seed << ", pixel " << at;
+        }
+    }
+}
+
 TEST(RivalFuzz, TheGridLeavesOutNothing) {
     for (std::uint32_t seed = 0; seed < random_scenes; ++seed) {
         const Scene scene(random_polygons(seed));

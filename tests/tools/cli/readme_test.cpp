@@ -79,7 +79,7 @@ TEST_F(Documents, ShowWhatTheProgramPrints) {
 // The README's table of the figures.
 TEST_F(Documents, TableOfTheFigures) {
     const std::string readme = content(source + "README.md");
-    const Ran ran = run("figures --json --out out");
+    const Ran ran = run("figures --json --no-scenes --out out");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     const json report = parse_json(ran.out);
     const json& figures = report["figures"];
