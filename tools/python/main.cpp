@@ -9,6 +9,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <map>
 #include <stdexcept>
 
 namespace py = pybind11;
@@ -102,6 +103,19 @@ PYBIND11_MODULE(_core, m) {
     });
     m.def("plan", frame_plan, unlocked);
     m.def("trace", pixel_trace, unlocked);
+    m.def("bias", bias_of, unlocked);
+    m.def("bias_of_map", [](int map, const std::map<std::string, std::string>& given,
+                            bool reversed) {
+        bias::MapOptions o;
+        o.map_px = map;
+        o.reversed = reversed;
+        const std::map<std::string, std::string*> known{
+            {"extent", &o.extent}, {"range", &o.range}, {"slope", &o.slope},
+            {"azimuth", &o.azimuth}, {"depth", &o.depth}, {"filter", &o.filter}, {"z", &o.z},
+            {"pixel", &o.pixel}};
+        for (const auto& [name, value] : given) *known.at(name) = value;
+        return bias_of_map(o);
+    }, unlocked);
     m.def("study", [](const std::string& name, const std::optional<SceneText>& scene,
                       const std::vector<std::string>& vary, bool quick, bool automatic, int jobs) {
         return study_rows({name, scene, vary, quick, automatic, jobs});

@@ -1,6 +1,7 @@
 #include "tools/python/session.hpp"
 
 #include "shadow/frame/paper_figures.hpp"
+#include "tools/bias/answer.hpp"
 #include "tools/cli/study_list.hpp"
 #include "tools/io/text_formats.hpp"
 #include "tools/render/plan_report.hpp"
@@ -100,6 +101,14 @@ std::string pixel_trace(const SceneText& text, const Overrides& set, int x, int 
     if (shadow::is_rival(scene.settings.form)) return print(to_json(trace_rival(job, {x, y})));
     job.render();
     return print(to_json(trace_pixel(job, {x, y})));
+}
+
+std::string bias_of(const SceneText& scene, const Overrides& set) {
+    return print(bias::to_json(bias::answer(load(scene, set))));
+}
+
+std::string bias_of_map(const bias::MapOptions& options) {
+    return print(bias::to_json(bias::answer(bias::setup_of(options))));
 }
 
 std::string study_rows(const StudyRequest& request) {

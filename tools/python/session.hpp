@@ -5,6 +5,7 @@
 // main.cpp calls them with its lock released.
 #pragma once
 
+#include "tools/bias/map_options.hpp"
 #include "tools/render/rendered.hpp"
 
 #include <memory>
@@ -36,6 +37,9 @@ Scaling scaling_of(const Rendered&, const PlaneOf&);
 
 std::string frame_plan(const SceneText&, const Overrides&);
 std::string pixel_trace(const SceneText&, const Overrides&, int x, int y);
+
+std::string bias_of(const SceneText&, const Overrides&);
+std::string bias_of_map(const bias::MapOptions&);
 
 struct StudyRequest {
     std::string name;

@@ -47,8 +47,10 @@ TEST_F(Program, BiasRefusesInOneLine) {
                  "a scene", 1},
         {"bias --map 2048 --extent 20", "a depth map is given by --map, --extent, --range and "
                                         "--slope; give all four, or a scene", 1},
-        {"bias a.toml --map 64", "a scene has its own map; give a scene, or --map, --extent, "
-                                 "--range and --slope", 1},
+        {"bias a.toml --map 64", "a scene has its own map; give a scene and --set, or the map's "
+                                 "options", 1},
+        {"bias a.toml --depth d24", "a scene has its own map; give a scene and --set, or the "
+                                    "map's options", 1},
         {map_of + " --set bias=3", "--set changes a scene's settings; give a scene", 1},
         {"bias --map 2048 --extent 20 --range 50 --slope 90", "--slope 90: its range is 0 .. 89",
          1},

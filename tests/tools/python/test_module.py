@@ -177,6 +177,20 @@ def test_trace_and_plan_are_the_programs():
         umbra78.trace(umbra78.Scene.figures(), 600, 0)
 
 
+def test_bias_is_the_programs():
+    path = str(umbra78.scenes() / "figures.toml")
+    of_scene = umbra78.bias(umbra78.Scene.file(path), lookup="nearest", xy_bits=7)
+    assert of_scene == json.loads(program("bias", path, "--set", "lookup=nearest", "--set",
+                                          "xy_bits=7", "--json"))
+    of_map = umbra78.bias_of_map(2048, 20, 50, 60, filter="pcf3", azimuth=0, depth="d24")
+    assert of_map == json.loads(program(*"bias --map 2048 --extent 20 --range 50 --slope 60 "
+                                         "--filter pcf3 --azimuth 0 --depth d24 --json".split()))
+    with pytest.raises(umbra78.Error, match="'d15' is no depth format; give d16, d24 or d32f"):
+        umbra78.bias_of_map(2048, 20, 50, 60, depth="d15")
+    with pytest.raises(TypeError, match="no 'dept'"):
+        umbra78.bias_of_map(2048, 20, 50, 60, dept="d16")
+
+
 def test_study_rows(tmp_path):
     vary = {"bias": "0.5:1:0.5", "bias_unit": ["texels"], "xy_bits": [7]}
     rows = umbra78.study("error-time", quick=True, vary=vary, jobs=2)

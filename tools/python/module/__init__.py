@@ -23,8 +23,8 @@ from . import _core
 from ._core import Error
 
 __version__ = _core.version
-__all__ = ["Error", "Frame", "Scene", "figure_settings", "plan", "render", "scenes", "settings",
-           "studies", "study", "trace"]
+__all__ = ["Error", "Frame", "Scene", "bias", "bias_of_map", "figure_settings", "plan", "render",
+           "scenes", "settings", "studies", "study", "trace"]
 
 
 def _toml(value):
@@ -192,6 +192,29 @@ def plan(scene, *, set=None, **settings):
 def trace(scene, x, y, *, set=None, **settings):
     """A pixel's whole way through the machine: a dict, whose "lines" hold a word each."""
     return _json.loads(_core.trace(scene._core(), _sets(settings, set), x, y))
+
+
+def bias(scene, *, set=None, **settings):
+    """The least bias of a scene, its detachment, and its value for interfaces and engines: a dict.
+
+    As `umbra78 bias SCENE --json`: "least" by kind, "units" with a row a parameter.
+    """
+    return _json.loads(_core.bias(scene._core(), _sets(settings, set)))
+
+
+def bias_of_map(map, extent, range, slope, *, reversed=False, **options):
+    """The same of a depth map of `map` texels a side, as `umbra78 bias --map ...` takes it.
+
+    `options`: depth ("d16", "d24", "d32f"), filter ("nearest", "bilinear", "pcf3", "pcf5"),
+    azimuth, z, pixel.
+    """
+    known = {"depth", "filter", "azimuth", "z", "pixel"}
+    for name in options:
+        if name not in known:
+            raise TypeError(f"bias_of_map has no {name!r}; known here: {', '.join(sorted(known))}")
+    given = {"extent": extent, "range": range, "slope": slope, **options}
+    return _json.loads(_core.bias_of_map(map, {k: _override(v) for k, v in given.items()},
+                                         reversed))
 
 
 def study(name, scene=None, *, vary=None, quick=False, automatic=False, jobs=0):
