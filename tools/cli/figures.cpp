@@ -3,6 +3,7 @@
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/console.hpp"
+#include "tools/io/data_folder.hpp"
 #include "tools/io/sheet.hpp"
 #include "tools/paper/figure_comparisons.hpp"
 #include "tools/paper/goldens.hpp"
@@ -24,7 +25,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-    std::string out = "out", goldens = UMBRA78_SOURCE_DIR "/tests/goldens";
+    std::string out = "out", goldens;
     bool check = false, bless = false, json = false, words = false, no_scenes = false;
 };
 
@@ -263,13 +264,14 @@ void write_pictures(const Path& out, const Drawn& drawn, FileSet& files) {
     write_ap120b_comparison(out / "ap120b.png", set, &files);
 }
 
-void run(const Options& options, int& exit_code) {
+void run(Options options, int& exit_code) {
     if (options.words) {
-        fmt::print("{}", paper_scene_words(load_scene(
-                             UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml", {})));
+        const Path scene = data_folder() / "scenes" / "figures.toml";
+        fmt::print("{}", paper_scene_words(load_scene(scene.string(), {})));
         return;
     }
     const auto start = std::chrono::steady_clock::now();
+    if (options.goldens.empty()) options.goldens = (data_folder() / "goldens").string();
     FileSet files;
     const Path out = options.out;
     files.make_folder(out);  // before the work, for its error
@@ -277,7 +279,7 @@ void run(const Options& options, int& exit_code) {
     if (!options.no_scenes) files.make_folder(out / "gallery");
     Drawn drawn;
     if (!options.no_scenes)
-        drawn.scenes = draw_scene_pictures(UMBRA78_SOURCE_DIR "/tools/scenes");
+        drawn.scenes = draw_scene_pictures((data_folder() / "scenes").string());
     const FigureSet& set = drawn.set;
     const std::vector<Buffer> buffers = drawn.buffers();
     const std::vector<GoldenCheck> checks =
@@ -319,7 +321,8 @@ void add_figures_command(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<Options>();
     Command command(app, "figures", "Draw figures 1 to 8 of Williams 1978, and the gallery");
     command.output_folder("--out", options->out, "Folder for the pictures").default_shown();
-    command.text("--goldens", options->goldens, "DIR", "Folder of the goldens").default_shown();
+    command.text("--goldens", options->goldens, "DIR",
+                 "Folder of the goldens; default: those that came with the program");
     const Argument check = command.flag(
         "--check", options->check,
         "Compare every stage's buffer with its golden; exit 1 if one differs");

@@ -5,6 +5,7 @@
 // argument contained.
 #include "fixed/trap.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/cli/manual.hpp"
 #include "tools/io/console.hpp"
 #include "tools/io/partial_file.hpp"
 #include "tools/io/suggest.hpp"
@@ -82,6 +83,15 @@ int main(int argc, char** argv) {
                  "Surfaces\" (1978), in fixed point and bit for bit."};
     app.name("umbra78");
     app.set_version_flag("--version", "umbra78 " UMBRA78_VERSION);
+    const auto prints = [&app](const char* flag, std::string (*text)(const CLI::App&),
+                               const char* meaning) {
+        app.add_flag_callback(flag, [&app, text] {
+            fmt::print("{}", text(app));
+            throw CLI::Success();
+        }, meaning);
+    };
+    prints("--manual", manual_page, "Print the manual page (roff) and exit");
+    prints("--completion", bash_completion, "Print the completion for bash and exit");
     app.require_subcommand(1);
     int exit_code = 0;
     add_figures_command(app, exit_code);
@@ -91,6 +101,7 @@ int main(int argc, char** argv) {
     add_cycles_command(app, exit_code);
     add_trace_command(app, exit_code);
     add_bands_command(app, exit_code);
+    add_bias_command(app, exit_code);
     add_study_command(app, exit_code);
     add_model_command(app, exit_code);
     add_pack_command(app, exit_code);

@@ -2,21 +2,16 @@
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/io/buffer_files.hpp"
-#include "tools/render/cycle_report.hpp"
 #include "tools/render/error_map.hpp"
 #include "tools/render/frame_warnings.hpp"
-#include "tools/render/ground_pixels.hpp"
 #include "tools/render/light_costs.hpp"
-#include "tools/render/report.hpp"
-#include "tools/render/stream_watch.hpp"
+#include "tools/render/rendered.hpp"
 #include "tools/scene/scene_file.hpp"
 #include "tools/scene/settings_text.hpp"
 #include "tools/scene/view_keys.hpp"
-#include "tools/truth/patch_truth.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 #include <filesystem>
 #include <memory>
@@ -31,84 +26,6 @@ struct Options {
     std::vector<std::string> set;
     bool json = false, no_truth = false, spool = false;
 };
-
-// Why a scene that is not of spheres and planes alone has none.
-const char* no_truth_because(const LoadedScene& scene) {
-    if (scene.stream) return "a stream: its primitives are not held";
-    return traces_patches() ? "free patches: there is no memory for their triangles"
-                            : "free patches: built without Embree; install libembree-dev and "
-                              "build again";
-}
-
-struct Rendered {
-    LoadedScene scene;
-    RenderJob job;
-    std::vector<std::optional<ShadowReport>> errors;  // by light; empty: none was asked for
-    std::vector<ShadowReport> on_ground;  // by light, of its pixels alone; empty without a ground
-    std::vector<std::uint8_t> map;  // the error map, if it is asked for
-    Warnings warnings;
-    std::uint64_t patches, triangles;
-
-    explicit Rendered(const Options& options)
-        : scene(load_streamed_scene(options.scene, options.set, options.spool)),
-          job(scene.view(), scene.settings), patches(scene.patches.size()),
-          triangles(scene.facets.size()) {
-        if (scene.stream) {
-            draw_stream();
-        } else {
-            job.render();
-        }
-        if (!options.no_truth)
-            for (std::size_t l = 0; l < scene.lights.size(); ++l) compare(options, l);
-        warnings = frame_warnings(scene, job, error());
-    }
-
-    // The first light's.
-    std::optional<ShadowReport> error() const {
-        return errors.empty() ? std::nullopt : errors.front();
-    }
-
-private:
-    void draw_stream() {
-        StreamWatch watch(scene);
-        job.render_stream(watch, *scene.stream);
-        patches = watch.patches();
-        triangles = watch.triangles();
-        scene.sample = watch.sample();
-        const Warnings found = warnings_of_stream(scene, watch.seen());
-        scene.warnings.insert(scene.warnings.end(), found.begin(), found.end());
-    }
-
-    // The error map is the first light's.
-    void compare(const Options& options, std::size_t light) {
-        const std::optional<SceneTruth> truth =
-            scene.stream ? std::nullopt : trace(scene, light);
-        const bool wants_map = light == 0 && !options.error_map.empty();
-        if (!truth && wants_map)
-            throw SceneError(fmt::format("--error {}: {} has no exact truth: {}",
-                                         options.error_map, options.scene,
-                                         no_truth_because(scene)));
-        errors.emplace_back();
-        if (!truth) return;
-        const std::vector<std::uint8_t> visible = job.visible();
-        const Buffer depths = job.buffer(Plane::observer_z);
-        errors.back() = report(*truth, {job.bytes({Plane::filtered, light}), visible},
-                               widened(light_texel_band(*truth), *truth, scene.settings), &depths);
-        if (scene.ground) {
-            const std::vector<std::uint8_t> ground = ground_pixels(scene, job);
-            on_ground.push_back(report(*truth, {job.bytes({Plane::filtered, light}), ground},
-                                       widened(light_texel_band(*truth), *truth, scene.settings)));
-        }
-        if (wants_map) map = error_map(*truth, job);
-    }
-};
-
-// The most memory that the program has had so far.
-std::uint64_t peak_bytes() {
-    struct rusage used {};
-    ::getrusage(RUSAGE_SELF, &used);
-    return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
-}
 
 Path picture_path(const Options& options) {
     return options.out.empty() ? Path(options.scene).stem().concat(".png") : Path(options.out);
@@ -138,59 +55,15 @@ void write_files(const Options& options, const Rendered& rendered) {
     files.commit();
 }
 
-// Where there is none, nothing is compared and there is no bias.
-bool has_map(const RenderJob& job) { return shadow::map_layers(job.settings()) > 0; }
-
-// Of a scene with several depth maps; "machine" is then of the first light alone.
-ordered_json lights_json(const Rendered& rendered, std::span<const shadow::FrameLedger> ledgers) {
-    const int clock_ns = rendered.scene.settings.timing.clock_ns;
-    ordered_json rows = ordered_json::array();
-    for (const LightCost& cost : light_costs(rendered.scene, ledgers)) {
-        ordered_json& row = rows.emplace_back();
-        row = tools::to_json(cost);
-        if (has_map(rendered.job))
-            row["bias"] = to_json(bias_report(rendered.job, cost.light));
-        if (!rendered.errors.empty()) row["error"] = to_json(rendered.errors[cost.light]);
-        if (!rendered.on_ground.empty())
-            row["error_on_ground"] = to_json(std::optional(rendered.on_ground[cost.light]));
-    }
-    return {{"frame_cycles", shadow::total(ledgers, true)},
-            {"frame_ms", simulated_ms(shadow::total(ledgers, true), clock_ns)},
-            {"lights", rows}};
-}
-
 ordered_json to_json(const Options& options, const Rendered& rendered) {
-    const RenderJob& job = rendered.job;
-    ordered_json json{{"scene", options.scene},
-                      {"picture", picture_path(options).string()},
-                      {"size_px", rendered.scene.settings.machine.size_px()},
-                      {"patches", rendered.patches},
-                      {"triangles", rendered.triangles},
-                      {"frame_bytes", job.frame_bytes()},
-                      {"peak_bytes", peak_bytes()}};
-    if (rendered.scene.stream)
-        json["stream_hash"] = fmt::format("{:016x}", rendered.scene.stream->hash());
-    for (const PlaneOf& plane : job.planes()) {
-        const Buffer buffer = job.buffer(plane);
-        json["hashes"][buffer.name] = hash_of(buffer);
-    }
-    json["error"] = to_json(rendered.error());
-    if (!rendered.on_ground.empty())
-        json["error_on_ground"] = to_json(std::optional(rendered.on_ground.front()));
-    if (has_map(job)) json["bias"] = to_json(bias_report(job));
-    const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
-    const int clock_ns = rendered.scene.settings.timing.clock_ns;
-    json["machine"] = tools::to_json(ledgers.front(), clock_ns);
-    if (rendered.scene.lights.size() > 1 || ledgers.size() > 1)
-        json["lights"] = lights_json(rendered, ledgers);
-    json["host_ms"] = to_json(job.times());
-    json["settings"] = settings_json(rendered.scene.settings);
-    json["warnings"] = tools::to_json(rendered.warnings);
+    ordered_json json{{"scene", options.scene}, {"picture", picture_path(options).string()}};
+    json.update(tools::to_json(rendered));
     return json;
 }
 
 // Of a light with an area the first map and mask; its darkness is what they come to.
-void print_planes(const RenderJob& job) {
+void print_planes(const Rendered& rendered) {
+    const RenderJob& job = rendered.job;
     const shadow::Scene& scene = job.inputs().scene;
     const auto is_further = [&](const PlaneOf& of) {
         if (of.plane != Plane::light_z && of.plane != Plane::mask) return false;
@@ -210,7 +83,7 @@ void print_planes(const RenderJob& job) {
     }
     if (further > 0)
         fmt::print("            and {} more {}masks: see --json\n", further,
-                   has_map(job) ? "maps and " : "");
+                   rendered.has_map() ? "maps and " : "");
 }
 
 void print_rows(const Options& options, const Rendered& rendered) {
@@ -218,9 +91,9 @@ void print_rows(const Options& options, const Rendered& rendered) {
     const int size = rendered.scene.settings.machine.size_px();
     fmt::print("{}: {} x {} pixels, {} {}\n", picture_path(options).string(), size, size,
                rendered.patches + rendered.triangles, kinds_of_surfaces(rendered.scene));
-    print_planes(job);
+    print_planes(rendered);
     const std::size_t lights = rendered.scene.lights.size();
-    for (std::size_t l = 0; has_map(job) && l < lights; ++l)
+    for (std::size_t l = 0; rendered.has_map() && l < lights; ++l)
         fmt::print("{:<11} {}\n", lights == 1 ? "bias" : "bias " + name_of_light(l, lights),
                    print(bias_report(job, l)));
     const std::vector<shadow::FrameLedger> ledgers = job.ledgers();
@@ -258,7 +131,8 @@ void print_rows(const Options& options, const Rendered& rendered) {
 
 void run(const Options& options) {
     if (options.out.empty()) check_output(picture_path(options), ".png", {});
-    const Rendered rendered(options);
+    const Rendered rendered(load_streamed_scene(options.scene, options.set, options.spool),
+                            {!options.no_truth, options.error_map});
     print_warnings(rendered.warnings);
     write_files(options, rendered);
     if (options.json) {

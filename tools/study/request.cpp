@@ -9,11 +9,16 @@
 namespace umbra78::tools::study {
 
 void take_scene(const std::string& path, Request& request) {
-    request.scene = load_scene(path, {});  // for its errors
+    load_scene(path, {});  // for its errors
+    std::ifstream file(path, std::ios::binary);
+    take_scene({std::istreambuf_iterator<char>(file), {}}, path, request);
+}
+
+void take_scene(const std::string& text, const std::string& path, Request& request) {
+    request.scene = parse_scene(text, path, {}, files_beside(path));
     require_one_light(request.scene, "a study");
     request.scene_file = path;
-    std::ifstream file(path, std::ios::binary);
-    request.scene_text.assign(std::istreambuf_iterator<char>(file), {});
+    request.scene_text = text;
     const FileSource files = [&, beside = files_beside(path)](const std::string& named) {
         FileText found = beside(named);
         // Beyond ASCII a model has comments and names only, and JSON takes no bytes that are not

@@ -36,6 +36,8 @@ struct Request {
 
 // Takes text and models from the files of a scene. Throws SceneError for a scene that is wrong.
 void take_scene(const std::string& path, Request&);
+// The same of a text, whose models count from the folder of `path`.
+void take_scene(const std::string& text, const std::string& path, Request&);
 
 // The request's scene with a case's overrides. Throws SceneError.
 LoadedScene scene_of(const Request&, const Case&);

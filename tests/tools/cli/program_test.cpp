@@ -24,12 +24,12 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, trace, bands, study, model, pack, settings, --help, "
-                       "--version; see umbra78 --help"},
+                       "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                       "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, trace, bands, study, model, pack, settings, --help, "
-                      "--version; see umbra78 --help"},
+                      "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                      "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
         {"figures --check --bless", "--check excludes --bless; see umbra78 figures --help"},
@@ -134,7 +134,7 @@ TEST_F(Program, AFullDiskIsAFailureToo) {
 
 TEST_F(Program, EveryHelpHasAnExample) {
     for (const char* command : {"", "figures ", "render ", "plan ", "animate ", "cycles ",
-                                "trace ", "bands ", "study ", "study error-time ",
+                                "trace ", "bands ", "bias ", "study ", "study error-time ",
                                 "study precision ", "study merge ", "study verify ",
                                 "model ", "settings "}) {
         const Ran ran = run(std::string(command) + "--help");
@@ -150,12 +150,12 @@ TEST_F(Program, EveryHelpHasAnExample) {
         EXPECT_NE(help.find("\n  " + std::string(s.key) + " "), std::string::npos) << s.key;
 }
 
-// CMakeLists.txt has the one copy of the version.
+// umbra78.h has the one copy of the version.
 TEST_F(Program, VersionIsTheProjects) {
-    const std::string cmake = content(UMBRA78_SOURCE_DIR "/CMakeLists.txt");
-    const std::string before = "project(umbra78 VERSION ";
-    const std::size_t at = cmake.find(before) + before.size();
-    const std::string version = cmake.substr(at, cmake.find(' ', at) - at);
+    const std::string header = content(UMBRA78_SOURCE_DIR "/shadow/c/umbra78.h");
+    const std::string before = "#define UMBRA78_VERSION_TEXT \"";
+    const std::size_t at = header.find(before) + before.size();
+    const std::string version = header.substr(at, header.find('"', at) - at);
     EXPECT_GE(std::count(version.begin(), version.end(), '.'), 2) << version;
     const Ran ran = run("--version");
     EXPECT_EQ(ran.exit_code, 0);
