@@ -11,6 +11,7 @@
 
 #include "hw/features.hpp"
 #include "hw/frame_store.hpp"
+#include "raster/block_form.hpp"
 #include "raster/footprint.hpp"
 #include "raster/sampling.hpp"
 #include "raster/shading.hpp"
@@ -41,7 +42,8 @@ struct DepthSink {
     bool hidden(const Footprint& f) const { return all_nearer(store, f); }
     void sample(const Sample& s, std::uint32_t code, const void*) {
         Depth& z = store.depth[store.address(s.px, s.py)];
-        if (code < z) z = static_cast<Depth>(code);
+        const std::uint32_t kept = z;  // stored in any case: which is the nearer is hard to predict
+        z = static_cast<Depth>(code < kept ? code : kept);
     }
 };
 
@@ -73,6 +75,16 @@ public:
             intensity_[k * pixels_ + address] = shades[k].intensity;
             for (std::size_t l = 0; l < sources_; ++l)
                 direct_[(k * sources_ + l) * pixels_ + address] = shades[k].direct[l];
+        }
+    }
+
+    // Of a leaf whose levels lie by planes already.
+    void put(std::size_t address, const LeafLevels& levels, std::size_t leaf) const {
+        const auto* plane = levels.level;
+        for (std::size_t k = 0; k < channels_; ++k) {
+            intensity_[k * pixels_ + address] = (*plane++)[leaf];
+            for (std::size_t l = 0; l < sources_; ++l)
+                direct_[(k * sources_ + l) * pixels_ + address] = (*plane++)[leaf];
         }
     }
 
@@ -120,6 +132,9 @@ public:
     PictureSink(hw::FrameStore<Depth>& store) : store_(store), planes_(store), normals_(store) {}
 
     bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
+    bool keeps(int px, int py, std::uint32_t code) const {
+        return code <= store_.depth[store_.address(px, py)];
+    }
     template <class Shading>
     void sample(const Sample& s, std::uint32_t code, const Shading* shading) {
         replaces(s, code, shading);
@@ -129,6 +144,14 @@ public:
     bool replaces(const Sample& s, std::uint32_t code, const Shading* shading) {
         const std::size_t a = store_.address(s.px, s.py);
         if (code > store_.depth[a]) return false;
+        if constexpr (requires { shading->kept(); }) {
+            const LeafLevels* levels = shading->kept();
+            if (levels != nullptr && code < store_.depth[a] && !normals_.kept()) {
+                store_.depth[a] = static_cast<Depth>(code);
+                planes_.put(a, *levels, leaf_number(s));
+                return true;
+            }
+        }
         const Shades shade = shading->shade(s, 0);
         if (code == store_.depth[a]) {
             const std::strong_ordering order = shade <=> planes_.at(a);
