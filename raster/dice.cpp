@@ -92,8 +92,6 @@ struct Column {
     WideVector tangent_v(const Weights& v) const { return sum(differences(points), v.slope); }
 };
 
-bool is_zero(const WideVector& v) { return v == WideVector{}; }
-
 // Where an edge is a point its tangent is 0, and that of the next row or column within is taken.
 UnitVector normal(const Controls& p, const Column& column, std::int64_t i, std::int64_t j,
                   std::int64_t k) {

@@ -79,8 +79,6 @@ WideVector minus(const WideVector& a, const WideVector& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-WideVector wide(const UnitVector& u) { return {u[0], u[1], u[2]}; }
-
 // The words less as many low bits as bring the largest to `bits` bits.
 std::array<std::int64_t, 3> cut_to(const std::array<std::int64_t, 3>& v, int bits) {
     const std::int64_t largest = std::max({v[0], v[1], v[2]});

@@ -13,8 +13,6 @@ using fixed::Rounding;
 
 constexpr std::int64_t one_q14 = std::int64_t{1} << unit_fraction;
 
-bool is_zero(const WideVector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
-
 // Three times the derivative at one end of a curve with ends a and b:
 // 3 f'(0) = 3 (f1 - f0) - 8 g0 - 4 g1,   3 f'(1) = 3 (f1 - f0) + 4 g0 + 8 g1.
 std::int64_t tangent(const std::array<std::int64_t, 4>& f, const std::array<std::int64_t, 4>& g,
@@ -66,8 +64,6 @@ WideVector at_leaf(const std::array<Corner, 4>& c, int i, int j) {
                v * ((32 - u) * c[2][k] + u * c[3][k]);
     return m;
 }
-
-WideVector wide(const UnitVector& u) { return {u[0], u[1], u[2]}; }
 
 std::uint8_t level(std::int64_t sum_q30) {
     return static_cast<std::uint8_t>(

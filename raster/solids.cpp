@@ -9,7 +9,7 @@ namespace {
 using fixed::Rounding;
 
 // (a (3 - j) + b j) / 3 with 30 more fraction bits.
-std::int64_t third(std::int32_t a, std::int32_t b, int j) {
+std::int64_t profile_third(std::int32_t a, std::int32_t b, int j) {
     const std::int64_t thrice = std::int64_t{a} * (3 - j) + std::int64_t{b} * j;
     return fixed::round_divide(thrice * axis_one, 3, Rounding::half_even);
 }
@@ -26,8 +26,8 @@ bool revolve_line(std::int32_t radius0, std::int32_t height0, std::int32_t radiu
                   std::span<Patch, patches_round> out) {
     Profile profile{};
     for (int j = 0; j < 4; ++j)
-        profile[static_cast<std::size_t>(j)] = {third(radius0, radius1, j),
-                                                third(height0, height1, j)};
+        profile[static_cast<std::size_t>(j)] = {profile_third(radius0, radius1, j),
+                                                profile_third(height0, height1, j)};
     return revolve(profile, placing, out);
 }
 

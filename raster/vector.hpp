@@ -26,6 +26,15 @@ constexpr Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
 using WideVector = Vector<std::int64_t>;  // any scale
 using Axis = Vector<std::int32_t>;        // a unit vector, Q2.30
 
+template <class T>
+constexpr bool is_zero(const Vector<T>& v) {
+    return v == Vector<T>{};
+}
+template <class T>
+constexpr WideVector wide(const Vector<T>& v) {
+    return {v[0], v[1], v[2]};
+}
+
 inline constexpr int axis_fraction = 30;
 inline constexpr std::int32_t axis_one = std::int32_t{1} << axis_fraction;
 

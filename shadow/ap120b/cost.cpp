@@ -9,7 +9,6 @@
 namespace umbra78::shadow {
 namespace {
 
-using enum ArrayCycleSource;
 using hw::ap120b::MemorySpeed;
 
 // An element's published time, in tenths of a microsecond.
@@ -33,6 +32,7 @@ int cycles(Published p, MemorySpeed speed) {
 
 ArrayCost array_cost(const PostProcessCounts& counts, const ShadowTest& settings,
                      MemorySpeed speed, bool affine) {
+    using enum ArrayCycleSource;
     const bool bilinear = settings.lookup == Lookup::bilinear;
     const bool falls_back = bilinear && settings.background == Background::fall_back;
     const int dithered = settings.dither.shape != hw::DitherShape::none ? 1 : 0;

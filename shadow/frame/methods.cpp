@@ -229,14 +229,14 @@ constexpr std::array<Method, rows_built> build_table() {
         for (const RivalRow& row : rival_rows) rows[n++] = as_rival(ground_method, row);
     return rows;
 }
-constexpr std::array<Method, rows_built> table = build_table();
+constexpr std::array<Method, rows_built> all_methods = build_table();
 
 }  // namespace
 
-std::span<const Method> methods() { return table; }
+std::span<const Method> methods() { return all_methods; }
 
 const Method* method_of(const Settings& settings) {
-    for (const Method& m : table)
+    for (const Method& m : all_methods)
         if (m.form == settings.form && m.arithmetic == settings.arithmetic &&
             std::ranges::find(m.lookups, settings.lookup) != m.lookups.end())
             return &m;

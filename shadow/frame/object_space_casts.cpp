@@ -1,12 +1,11 @@
 #include "shadow/frame/object_space_casts.hpp"
 
-namespace umbra78::shadow {
+namespace umbra78::shadow::rivals {
 namespace {
 
-using namespace rivals;
 using Shown = std::span<const std::uint32_t>;
 using Mask = std::span<std::uint8_t>;
-using SettingOf = const rivals::Setting&;
+using SettingOf = const Setting&;
 
 // As PieceRoom, for loops.
 struct LoopRoom {
@@ -106,4 +105,4 @@ Work by_outlines(SettingOf s, Shown shown, Carver& carver, Mask mask) {
     return result;
 }
 
-}  // namespace umbra78::shadow
+}  // namespace umbra78::shadow::rivals

@@ -3,15 +3,15 @@
 
 #include "shadow/frame/rival_casts.hpp"
 
-namespace umbra78::shadow {
+namespace umbra78::shadow::rivals {
 
-rivals::Work by_splitting(const rivals::Setting& s, std::span<const std::uint32_t> shown,
+Work by_splitting(const Setting& s, std::span<const std::uint32_t> shown,
                           Carver& carver, std::span<std::uint8_t> mask);
 
-rivals::Work by_perimeters(const rivals::Setting& s, std::span<const std::uint32_t> shown,
+Work by_perimeters(const Setting& s, std::span<const std::uint32_t> shown,
                            Carver& carver, std::span<std::uint8_t> mask);
 
-rivals::Work by_outlines(const rivals::Setting& s, std::span<const std::uint32_t> shown,
+Work by_outlines(const Setting& s, std::span<const std::uint32_t> shown,
                          Carver& carver, std::span<std::uint8_t> mask);
 
 // --- what class 2 works in, for its casts and for pictures of it ----------------------------
@@ -20,9 +20,9 @@ rivals::Work by_outlines(const rivals::Setting& s, std::span<const std::uint32_t
 // scenes fit in the first.
 struct PieceRoom {
     std::size_t meetings;
-    rivals::WorkSize work;
-    rivals::PieceSize pieces;
-    rivals::FragmentSize fragments;  // for the order from the light, if there is one
+    WorkSize work;
+    PieceSize pieces;
+    FragmentSize fragments;  // for the order from the light, if there is one
 
     PieceRoom(std::size_t facets, std::size_t turn, bool has_order)
         : meetings(turn * (facets / 2 + 256)),
@@ -37,27 +37,27 @@ struct PieceRoom {
 struct PieceParts {
     std::span<std::byte> lines, work, store, order, pairs;
     std::span<std::uint32_t> marks;
-    std::span<rivals::ShownLine> shown;
+    std::span<ShownLine> shown;
 };
 
-inline PieceParts parts_of(Carver& carver, const rivals::Mesh& mesh, const PieceRoom& room) {
+inline PieceParts parts_of(Carver& carver, const Mesh& mesh, const PieceRoom& room) {
     const std::size_t facets = mesh.facets.size();
-    return {carver.take<std::byte>(rivals::LightLines::bytes(mesh, room.meetings)),
-            carver.take<std::byte>(rivals::LitPart::bytes(room.work)),
-            carver.take<std::byte>(rivals::PieceStore::bytes(room.pieces, facets)),
-            carver.take<std::byte>(rivals::LightOrder::bytes(room.fragments, facets)),
-            carver.take<std::byte>(room.has_order() ? rivals::FootprintPairs::bytes(facets) : 0),
-            carver.take<std::uint32_t>(facets), carver.take<rivals::ShownLine>(room.work.longest)};
+    return {carver.take<std::byte>(LightLines::bytes(mesh, room.meetings)),
+            carver.take<std::byte>(LitPart::bytes(room.work)),
+            carver.take<std::byte>(PieceStore::bytes(room.pieces, facets)),
+            carver.take<std::byte>(LightOrder::bytes(room.fragments, facets)),
+            carver.take<std::byte>(room.has_order() ? FootprintPairs::bytes(facets) : 0),
+            carver.take<std::uint32_t>(facets), carver.take<ShownLine>(room.work.longest)};
 }
 
 // What class 2 works in.
 struct Workshop {
-    rivals::LightLines lines;
-    rivals::LitPart lit_part;
-    rivals::PieceStore store;
-    rivals::LightOrder order;
-    rivals::Casters casters;
-    std::span<rivals::ShownLine> shown;
+    LightLines lines;
+    LitPart lit_part;
+    PieceStore store;
+    LightOrder order;
+    Casters casters;
+    std::span<ShownLine> shown;
     std::span<std::byte> pairs;
 };
 
@@ -81,21 +81,21 @@ void in_doublings(Carver& carver, LayOut&& lay_out, Cast&& cast) {
 
 // cast(workshop), which says whether it had enough room.
 template <class Cast>
-void in_workshop(const rivals::Setting& s, Carver& carver, bool has_order, Cast&& cast) {
+void in_workshop(const Setting& s, Carver& carver, bool has_order, Cast&& cast) {
     const std::size_t facets = s.mesh.facets.size();
-    rivals::LightGrid grid;
+    LightGrid grid;
     if (!built_grid(s, carver, grid)) return;
     const auto lay_out = [&](Carver& in, std::size_t turn) {
         return parts_of(in, s.mesh, PieceRoom(facets, turn, has_order));
     };
     in_doublings(carver, lay_out, [&](const PieceParts& parts, std::size_t turn) {
         const PieceRoom room(facets, turn, has_order);
-        Workshop work{{}, rivals::LitPart(parts.work, room.work),
-                      rivals::PieceStore(parts.store, room.pieces, facets),
-                      rivals::LightOrder(parts.order, room.fragments, facets),
-                      rivals::Casters(s, grid, parts.marks), parts.shown, parts.pairs};
+        Workshop work{{}, LitPart(parts.work, room.work),
+                      PieceStore(parts.store, room.pieces, facets),
+                      LightOrder(parts.order, room.fragments, facets),
+                      Casters(s, grid, parts.marks), parts.shown, parts.pairs};
         return work.lines.make(s, room.meetings, parts.lines) && cast(work);
     });
 }
 
-}  // namespace umbra78::shadow
+}  // namespace umbra78::shadow::rivals

@@ -73,7 +73,7 @@ constexpr std::array ap120b_fast{
     ProfileValue{"array_memory", word(hw::ap120b::MemorySpeed::fast), published, fps},
 };
 
-constexpr std::array<Profile, 6> table{{
+constexpr std::array<Profile, 6> all_profiles{{
     {"affine16", "16-bit coefficients, one row a clock: four multipliers", affine16},
     {"affine16x1", "16-bit coefficients, one multiplier-accumulator", affine16x1},
     {"affine16x16", "16-bit coefficients, sixteen multipliers", affine16x16},
@@ -84,16 +84,16 @@ constexpr std::array<Profile, 6> table{{
 
 }  // namespace
 
-std::span<const Profile> profiles() { return table; }
+std::span<const Profile> profiles() { return all_profiles; }
 
 const Profile* find_profile(std::string_view name) {
-    for (const Profile& p : table)
+    for (const Profile& p : all_profiles)
         if (p.name == name) return &p;
     return nullptr;
 }
 
 bool is_set_by_profiles(std::string_view key) {
-    for (const Profile& p : table)
+    for (const Profile& p : all_profiles)
         for (const ProfileValue& v : p.values)
             if (v.key == key) return true;
     return false;

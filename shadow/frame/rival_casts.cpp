@@ -2,13 +2,12 @@
 
 #include "shadow/frame/object_space_casts.hpp"
 
-namespace umbra78::shadow {
+namespace umbra78::shadow::rivals {
 namespace {
 
-using namespace rivals;
 using Shown = std::span<const std::uint32_t>;
 using Mask = std::span<std::uint8_t>;
-using SettingOf = const rivals::Setting&;
+using SettingOf = const Setting&;
 
 bool built_links(SettingOf s, Shown shown, Carver& carver, Links& links, LinkCounts& counts) {
     return built_from(carver, [&](std::span<std::byte> memory, std::size_t& needed) {
@@ -119,7 +118,7 @@ Work by_irregular(SettingOf s, Shown shown, Carver& carver, Mask mask) {
 
 }  // namespace
 
-Work cast_by(Form form, const rivals::Setting& setting, std::span<const std::uint32_t> shown,
+Work cast_by(Form form, const Setting& setting, std::span<const std::uint32_t> shown,
              const DepthScale& scale, Carver& carver, std::span<std::uint8_t> mask) {
     const auto by_passes = [&](StencilPass pass) {
         return by_stencil(setting, shown, scale, pass, carver, mask);
@@ -139,4 +138,4 @@ Work cast_by(Form form, const rivals::Setting& setting, std::span<const std::uin
     }
 }
 
-}  // namespace umbra78::shadow
+}  // namespace umbra78::shadow::rivals

@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <span>
 
-namespace umbra78::shadow {
+namespace umbra78::shadow::rivals {
 
 // Writes the mask and returns what it took. If the carver does not hold it afterwards, the mask is
 // not complete, and used() is what would have let it go on. `scale` is of the observer's store.
-rivals::Work cast_by(Form form, const rivals::Setting& setting,
-                     std::span<const std::uint32_t> shown, const rivals::DepthScale& scale,
+Work cast_by(Form form, const Setting& setting,
+                     std::span<const std::uint32_t> shown, const DepthScale& scale,
                      Carver& carver, std::span<std::uint8_t> mask);
 
 // What takes its memory from the rest and says how much it needs: build(memory, needed).
@@ -26,10 +26,10 @@ bool built_from(Carver& carver, Build&& build) {
     return done && carver.fits();
 }
 
-inline bool built_grid(const rivals::Setting& s, Carver& carver, rivals::LightGrid& grid) {
+inline bool built_grid(const Setting& s, Carver& carver, LightGrid& grid) {
     return built_from(carver, [&](std::span<std::byte> memory, std::size_t& needed) {
         return grid.build(s, 0, memory, needed);
     });
 }
 
-}  // namespace umbra78::shadow
+}  // namespace umbra78::shadow::rivals

@@ -93,7 +93,7 @@ void cast_rival(const FrameInputs& in, const FramePlan&, std::size_t l,
         const RivalView view = view_of(in, l, pieces);
         const rivals::DepthScale scale = rivals::depth_scale(
             in.scene.observer, view.setting.space, in.settings.machine.z_bits);
-        work = cast_by(in.settings.form, view.setting, view.shown, scale, carver, mask);
+        work = rivals::cast_by(in.settings.form, view.setting, view.shown, scale, carver, mask);
     }
     counted.capacity = {carver.fits(), carver.used()};
     counted.method_once = work.once;

@@ -61,7 +61,7 @@ constexpr Setting choice(std::string_view key, Names names, std::string_view mea
     [](const Settings& s) { return static_cast<std::int64_t>(s.member); },                \
         [](Settings& s, std::int64_t v) { s.member = static_cast<decltype(s.member)>(v); }
 
-constexpr std::array table{
+constexpr std::array all_settings{
     whole<UMBRA78_ACCESS(machine.xy_bits)>(
         "xy_bits", "bits", 4, 12, "X and Y of both frame stores: 2^bits pixels a side"),
     whole<UMBRA78_ACCESS(machine.z_bits)>(
@@ -211,10 +211,10 @@ constexpr std::array table{
 
 }  // namespace
 
-std::span<const Setting> settings_table() { return table; }
+std::span<const Setting> settings_table() { return all_settings; }
 
 const Setting* find_setting(std::string_view key) {
-    for (const Setting& s : table)
+    for (const Setting& s : all_settings)
         if (s.key == key) return &s;
     return nullptr;
 }

@@ -35,7 +35,7 @@ void draw_lights(const FrameInputs& part, const FramePlan& plan, FrameBuffers<De
 }
 
 template <class Depth>
-void draw_picture(const FrameInputs& part, const FramePlan& plan, FrameBuffers<Depth>& frame,
+void draw_part(const FrameInputs& part, const FramePlan& plan, FrameBuffers<Depth>& frame,
                   FrameCounts& counts) {
     const Method& method = method_of(part);
     if (method.tests_when_drawn()) {
@@ -68,7 +68,7 @@ StreamStatus run(Pass pass, const FrameInputs& in, const FramePlan& plan,
         part.scene.patches = batch.patches;
         part.scene.mesh = batch.mesh;
         if (pass.lights) draw_lights(part, plan, frame, counts);
-        if (pass.observer) draw_picture(part, plan, frame, counts);
+        if (pass.observer) draw_part(part, plan, frame, counts);
     }
     for (std::size_t l = 0; pass.lights && l < in.scene.light_count; ++l)
         finish_map(in, frame.lights[l]);

@@ -31,7 +31,7 @@ Outline part_inside(const LightLines& lines, const std::array<LineId, 3>& outlin
     return part;
 }
 
-struct Clipping {
+struct OutlineClipping {
     LightLines& lines;
     Casters& casters;
     std::span<ListedCaster> room;
@@ -47,7 +47,7 @@ private:
 };
 
 // What may shadow R, the nearest to the light first.
-std::span<ListedCaster> Clipping::listed(std::uint32_t r) {
+std::span<ListedCaster> OutlineClipping::listed(std::uint32_t r) {
     const std::int64_t own = nearest_depth(lines.setting(), r);
     std::size_t count = 0;
     casters.for_each(r, [&](std::uint32_t f, Before before) {
@@ -64,7 +64,7 @@ std::span<ListedCaster> Clipping::listed(std::uint32_t r) {
     return list;
 }
 
-bool Clipping::clip_by(std::uint32_t r, const ListedCaster& caster) {
+bool OutlineClipping::clip_by(std::uint32_t r, const ListedCaster& caster) {
     const auto outline = lines.outline(caster.facet, counts.clips.moved.signs);
     const std::size_t meetings = lines.meetings();
     Outline part{{outline[0], outline[1], outline[2]}, 3};
@@ -79,7 +79,7 @@ bool Clipping::clip_by(std::uint32_t r, const ListedCaster& caster) {
     return lit_part.fits();
 }
 
-bool Clipping::clip(std::uint32_t r) {
+bool OutlineClipping::clip(std::uint32_t r) {
     ++counts.receivers;
     lit_part.begin(lines, r, lines.outline(r, counts.clips.moved.signs));
     if (!lit_part.fits()) return false;
@@ -101,7 +101,7 @@ PieceStatus clip_by_outlines(LightLines& lines, Casters& casters,
     const Setting& setting = lines.setting();
     const std::size_t facets = setting.mesh.facets.size();
     if (room.size() < facets) return PieceStatus::no_work_room;
-    Clipping clipping{lines, casters, room, lit_part, counts};
+    OutlineClipping clipping{lines, casters, room, lit_part, counts};
     for (std::uint32_t r = 0; r < facets; ++r) {
         if (setting.light.sides[r] == 0 || (!wanted.empty() && wanted[r] == 0)) continue;
         if (!clipping.clip(r))

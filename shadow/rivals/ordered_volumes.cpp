@@ -22,14 +22,14 @@ struct OpenSide {
     int to, swap_at;
 };
 
-struct Pieces {
+struct RunParts {
     std::span<ShadowSide> sides;
     std::span<SideRun> runs;
     std::span<int> rows;
     std::span<OpenSide> open;
 };
 
-Pieces lay_out(Carver& carver, std::size_t sides) {
+RunParts run_parts(Carver& carver, std::size_t sides) {
     return {carver.take<ShadowSide>(sides), carver.take<SideRun>(sides),
             carver.take<int>(sides), carver.take<OpenSide>(sides)};
 }
@@ -37,7 +37,7 @@ Pieces lay_out(Carver& carver, std::size_t sides) {
 // The sides that cover a pixel of a line, by their first columns: nearly as in the line above.
 class LineRuns {
 public:
-    LineRuns(const Space& space, std::span<const ShadowSide> sides, const Pieces& pieces,
+    LineRuns(const Space& space, std::span<const ShadowSide> sides, const RunParts& pieces,
              OrderedCounts& counts)
         : space_(space), sides_(sides), runs_(pieces.runs), rows_(pieces.rows), counts_(counts) {
         std::fill(rows_.begin(), rows_.end(), -1);
@@ -238,7 +238,7 @@ bool order_volumes(const Setting& setting, std::span<const std::uint32_t> shown,
                    std::span<const ContourEdge> contour, std::span<std::byte> memory,
                    std::span<std::int32_t> surfaces, OrderedCounts& counts) {
     Carver carver(memory);
-    const Pieces pieces = lay_out(carver, contour.size());
+    const RunParts pieces = run_parts(carver, contour.size());
     counts.bytes = carver.used();
     if (!carver.fits()) return false;
     const Space& space = setting.space;

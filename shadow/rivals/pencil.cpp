@@ -3,12 +3,12 @@
 namespace umbra78::shadow::rivals {
 namespace {
 
-struct Pieces {
+struct PencilParts {
     std::span<SeenPlane> planes, eye_edges, light_edges;
     std::span<std::int8_t> eye_sides, light_sides;
 };
 
-Pieces lay_out(Carver& carver, std::size_t facets, std::size_t edges) {
+PencilParts lay_out(Carver& carver, std::size_t facets, std::size_t edges) {
     return {carver.take<SeenPlane>(facets), carver.take<SeenPlane>(edges),
             carver.take<SeenPlane>(edges), carver.take<std::int8_t>(facets),
             carver.take<std::int8_t>(facets)};
@@ -34,7 +34,7 @@ std::size_t setting_bytes(std::size_t facets, std::size_t edges) {
 bool make_setting(const Space& space, const Mesh& mesh, const Centre& light,
                   std::span<std::byte> memory, Setting& out) {
     Carver carver(memory);
-    const Pieces p = lay_out(carver, mesh.facets.size(), mesh.edges.size());
+    const PencilParts p = lay_out(carver, mesh.facets.size(), mesh.edges.size());
     if (!carver.fits()) return false;
     const Centre& eye = space.eye();
     for (std::size_t f = 0; f < mesh.facets.size(); ++f) {

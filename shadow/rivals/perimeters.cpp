@@ -3,7 +3,7 @@
 namespace umbra78::shadow::rivals {
 namespace {
 
-struct Clipping {
+struct FootprintClipping {
     LightLines& lines;
     Casters& casters;
     LightOrder& order;
@@ -21,13 +21,13 @@ private:
 };
 
 // Whether a facet is one footprint and not pieces.
-bool Clipping::is_whole_footprint(std::uint32_t facet) const {
+bool FootprintClipping::is_whole_footprint(std::uint32_t facet) const {
     const Fragment& f = order.at(order.first_of(facet));
     return f.next == LightOrder::none && f.joined;
 }
 
 // Clips by a facet and its partner. False if they are not merged here.
-bool Clipping::shade_by_pair(std::uint32_t on, std::uint32_t turn, std::uint32_t facet) {
+bool FootprintClipping::shade_by_pair(std::uint32_t on, std::uint32_t turn, std::uint32_t facet) {
     const std::uint32_t other = pairs.partner(facet);
     if (other == FootprintPairs::none || other == on || !is_whole_footprint(facet) ||
         !is_whole_footprint(other) || casters.ask(other, on) == Before::no)
@@ -40,7 +40,7 @@ bool Clipping::shade_by_pair(std::uint32_t on, std::uint32_t turn, std::uint32_t
 }
 
 // Clips what is lit by the footprints of a facet. False if there is no room.
-bool Clipping::shade_by_facet(std::uint32_t facet) {
+bool FootprintClipping::shade_by_facet(std::uint32_t facet) {
     for (std::uint32_t a = order.first_of(facet); a != LightOrder::none; a = order.at(a).next) {
         if (!order.at(a).joined) continue;
         ++counts.compared;
@@ -49,7 +49,7 @@ bool Clipping::shade_by_facet(std::uint32_t facet) {
     return lit_part.fits();
 }
 
-PieceStatus Clipping::clip(std::uint32_t index) {
+PieceStatus FootprintClipping::clip(std::uint32_t index) {
     Fragment& fragment = order.at(index);
     ++counts.fragments;
     lit_part.begin(lines, fragment.facet, order.lines(fragment));
@@ -72,7 +72,7 @@ PieceStatus Clipping::clip(std::uint32_t index) {
 PieceStatus clip_by_perimeters(LightLines& lines, Casters& casters, LightOrder& order,
                                FootprintPairs& pairs, LitPart& lit_part, PieceStore& out,
                                PerimeterCounts& counts) {
-    Clipping clipping{lines, casters, order, pairs, lit_part, out, counts};
+    FootprintClipping clipping{lines, casters, order, pairs, lit_part, out, counts};
     for (const std::uint32_t index : order.order())
         if (const PieceStatus status = clipping.clip(index); status != PieceStatus::ok)
             return status;

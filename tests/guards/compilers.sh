@@ -38,8 +38,8 @@ build_and_run() {
   [[ $compiler != *" -O2 "* ]] || bytes="$bytes 0"
   mkdir "$scratch"
   if precompile "$compiler" >"$outer/log$name" 2>&1 &&
-    $compiler $precompiled tests/support/hash_figures.cpp $drawn_by -o "$scratch/program" \
-      >>"$outer/log$name" 2>&1 &&
+    $compiler $precompiled tests/support/hash_figures.cpp $(rooms_in_one "$scratch" $drawn_by) \
+      -o "$scratch/program" >>"$outer/log$name" 2>&1 &&
     run "$outer/hashes$name" $bytes 2>>"$outer/log$name"; then :; else
     touch "$outer/failed$name"
   fi

@@ -7,7 +7,7 @@
 set -eu
 . "$(dirname "$0")/../support/core.sh"
 
-flags="-std=c++20 -O1 -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -fno-exceptions -fno-rtti
+flags="-std=c++20 -O0 -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -fno-exceptions -fno-rtti
 -ffreestanding -fno-threadsafe-statics -I$root"
 if command -v arm-none-eabi-g++ >/dev/null; then
   newlib=$(cd "$(dirname "$(command -v arm-none-eabi-g++)")/.." && pwd)/include/newlib
@@ -40,7 +40,7 @@ forbidden="$forbidden|malloc|calloc|realloc|_Znw|_Zna|_Zdl|_Zda"              # 
 forbidden="$forbidden|__cxa_(throw|allocate|begin_catch|guard)|__gxx_personality"
 forbidden="$forbidden|printf|fopen|^(sqrt|sin|cos|pow|floor)f?$"
 every_header >"$scratch/headers.cpp"
-for source in $sources "$scratch/headers.cpp"; do
+for source in $(rooms_in_one "$scratch") "$scratch/headers.cpp"; do
   if ! $compiler $precompiled -c "$source" -o "$scratch/object.o" 2>"$scratch/log"; then
     head -20 "$scratch/log"
     fail "$source does not compile for a Cortex-M3"

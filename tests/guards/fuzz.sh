@@ -17,7 +17,7 @@ clang++ -fsanitize=fuzzer,$sanitizers "$scratch/control.cpp" -o "$scratch/contro
 # What reads is instrumented; the rest of the core, which a scene's checks name, is only there.
 flags="-std=c++20 -w -I$root"
 instrumented="$flags -O1 -g1 -fno-sanitize-recover=all -fsanitize=fuzzer-no-link,$sanitizers"
-read_by="$(ls tools/models/*.cpp tools/scene/*.cpp tests/fuzz/*.cpp | grep -v '/scene_file[.]cpp$')
+read_by="$(ls tools/models/*.cpp tools/scene/*.cpp | grep -v '/scene_file[.]cpp$')
 tools/stream/packed_reader.cpp tools/stream/hills.cpp raster/extent.cpp
 tools/io/suggest.cpp tools/io/text_formats.cpp raster/placing.cpp raster/shading.cpp
 raster/solids.cpp raster/scene.cpp raster/view.cpp raster/projection.cpp shadow/bias.cpp"
@@ -32,12 +32,15 @@ clang++ $instrumented -x c++-header "$scratch/common.hpp" -o "$scratch/common.pc
   skip "no fmt or no nlohmann-json, so no program"
 precompile "clang++ $flags -O0"
 
-object_of() { echo "$scratch/$(echo "$1" | tr / _).o"; }
-for source in $read_by; do
+object_of() { echo "$scratch/$(basename "$1" .cpp)$(dirname "$1" | tr / _).o"; }
+mkdir "$scratch/read" "$scratch/unread"
+readers=$(rooms_in_one "$scratch/read" $read_by)
+others=$(comm -23 <(echo $sources | tr ' ' '\n' | sort) <(echo $read_by | tr ' ' '\n' | sort))
+core=$(rooms_in_one "$scratch/unread" $others)
+for source in $readers $(ls tests/fuzz/*.cpp); do
   echo "$instrumented -include-pch $scratch/common.pch -c $source -o $(object_of "$source")"
 done >"$scratch/commands"
-others=$(comm -23 <(echo $sources | tr ' ' '\n' | sort) <(echo $read_by | tr ' ' '\n' | sort))
-for source in $others; do
+for source in $core; do
   echo "$flags -O0 $precompiled -c $source -o $(object_of "$source")"
 done >>"$scratch/commands"
 if ! xargs -P2 -L1 clang++ <"$scratch/commands" >"$scratch/log" 2>&1; then
@@ -46,10 +49,7 @@ if ! xargs -P2 -L1 clang++ <"$scratch/commands" >"$scratch/log" 2>&1; then
   verdict
 fi
 # The instrumented objects come first, so that inline functions are theirs.
-readers=$(for source in $read_by; do
-  case $source in tests/fuzz/*) ;; *) object_of "$source" ;; esac
-done)
-core=$(for source in $others; do object_of "$source"; done)
+objects=$(for source in $readers $core; do object_of "$source"; done)
 echo "built in $SECONDS s"
 
 # run READER: one target, from a copy of its corpus, which it adds to.
@@ -57,8 +57,8 @@ run() {
   local name=$1 folder=$scratch/$1
   mkdir "$folder" "$folder/found"
   cp -r "tests/fuzz/corpus/$name" "$folder/corpus"
-  clang++ -fsanitize=fuzzer,$sanitizers "$(object_of "tests/fuzz/$name.cpp")" $readers $core \
-    -lfmt -o "$folder/target" &&
+  clang++ -fsanitize=fuzzer,$sanitizers "$(object_of "tests/fuzz/$name.cpp")" $objects -lfmt \
+    -o "$folder/target" &&
     "$folder/target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -seed=1978 \
       -artifact_prefix="$folder/found/" "$folder/corpus" && touch "$folder/held"
 }

@@ -7,7 +7,7 @@ set -eu
 
 compiler="$CXX -std=c++20 -I$root -O0 -fno-exceptions -fno-rtti -mgeneral-regs-only"
 precompile "$compiler"
-for source in $sources; do
+for source in $(rooms_in_one "$scratch"); do
   $compiler $precompiled -c "$source" -o "$scratch/object.o" ||
     fail "$source needs more than general registers"
 done

@@ -10,7 +10,7 @@ shared_ptr function stable_sort printf sqrt sin cos tan atan2 pow exp log lround
 compiler="$CXX -std=c++20 -I$root"
 precompile "$compiler" $words
 every_header >"$scratch/headers.cpp"
-for source in "$scratch/headers.cpp" $sources; do
+for source in "$scratch/headers.cpp" $(rooms_in_one "$scratch"); do
   $compiler $precompiled -fsyntax-only "$source" || fail "$source uses a poisoned name"
 done
 # And the poison works.

@@ -44,8 +44,8 @@ compile() {
   $compiler $precompiled -include "$scratch/shift.hpp" -fsyntax-only "$1" >"$scratch/log" 2>&1
 }
 for h in $headers; do echo "#include \"$h\""; done >"$scratch/core/headers.cpp"
-for source in headers.cpp $sources; do
-  compile "$scratch/core/$source" && continue
+for source in "$scratch/core/headers.cpp" $(rooms_in_one "$scratch"); do
+  compile "$source" && continue
   grep -E 'error|required from' "$scratch/log" | sed "s:$scratch/core/::" | head -20
   fail "$source shifts a signed value by >>; use fixed::floor_shift"
 done

@@ -5,7 +5,7 @@
 namespace umbra78::tools {
 namespace {
 
-using Kind = ArrayToken::Kind;
+using TokenKind = ArrayToken::Kind;
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -83,8 +83,8 @@ private:
         if (begin == text_.size()) return;
         ArrayTokens tokens(text_.substr(begin), line_);
         ArrayToken token = tokens.next();
-        while (!tokens.done() && token.kind != Kind::other) token = tokens.next();
-        if (token.kind == Kind::other) return;
+        while (!tokens.done() && token.kind != TokenKind::other) token = tokens.next();
+        if (token.kind == TokenKind::other) return;
         outline_.arrays.push_back({line_, text_.substr(begin, tokens.at())});
         outline_.emptied.append(text_.substr(copied_, begin + 1 - copied_));
         outline_.emptied.append(static_cast<std::size_t>(token.line - line_), '\n');
@@ -175,14 +175,14 @@ void ArrayTokens::skip_blanks() {
     }
 }
 
-ArrayToken ArrayTokens::take(Kind kind, std::size_t size) {
+ArrayToken ArrayTokens::take(TokenKind kind, std::size_t size) {
     at_ += size;
-    after_value_ = kind != Kind::open;
+    after_value_ = kind != TokenKind::open;
     return {kind, text_.substr(at_ - size, size), line_};
 }
 
 ArrayToken ArrayTokens::next() {
-    const ArrayToken other{Kind::other, {}, line_};
+    const ArrayToken other{TokenKind::other, {}, line_};
     skip_blanks();
     if (after_value_ && at_ < text_.size() && text_[at_] == ',') {
         ++at_;
@@ -192,12 +192,12 @@ ArrayToken ArrayTokens::next() {
     if (at_ == text_.size()) return other;
     if (text_[at_] == ']') {
         --depth_;
-        return take(Kind::close, 1);
+        return take(TokenKind::close, 1);
     }
     if (after_value_) return other;
-    if (text_[at_] == '[') return ++depth_ > max_depth ? other : take(Kind::open, 1);
+    if (text_[at_] == '[') return ++depth_ > max_depth ? other : take(TokenKind::open, 1);
     const std::size_t size = size_of_number(text_.substr(at_));
-    return size == 0 ? other : take(Kind::number, size);
+    return size == 0 ? other : take(TokenKind::number, size);
 }
 
 TomlOutline outline_of(std::string_view text, bool empty_arrays) {

@@ -12,7 +12,7 @@ bool same(const raster::ViewAxes& a, const raster::ViewAxes& b) {
 }
 
 // Words of places less the origin; what leaves a word is reported where a place is read.
-raster::World less(const raster::World& p, const raster::World& origin) {
+raster::World saturated_difference(const raster::World& p, const raster::World& origin) {
     const auto word = [](std::int64_t v) {
         return static_cast<std::int32_t>(std::clamp<std::int64_t>(v, INT32_MIN, INT32_MAX));
     };
@@ -74,8 +74,8 @@ void ScenePoints::take_origin(const raster::World& origin, const raster::Surface
     if (origin == raster::World{}) return;
     for (raster::Box* box : {&box_, &promised_}) {
         if (box->empty()) continue;
-        box->min = less(box->min, origin);
-        box->max = less(box->max, origin);
+        box->min = saturated_difference(box->min, origin);
+        box->max = saturated_difference(box->max, origin);
     }
     for (raster::ViewRanges& r : ranges_) {
         const auto move = [&](raster::AxisRange& range, const raster::Axis& axis) {

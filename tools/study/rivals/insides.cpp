@@ -68,7 +68,7 @@ void with_workshop(const shadow::RivalView& view, bool has_order, Cut&& cut) {
     for (std::size_t bytes = std::size_t{1} << 20;;) {
         AlignedRoom room(bytes);
         shadow::Carver carver(room.bytes().first(bytes));
-        shadow::in_workshop(view.setting, carver, has_order, cut);
+        rivals::in_workshop(view.setting, carver, has_order, cut);
         if (carver.fits()) return;
         bytes = carver.used();
     }
@@ -76,7 +76,7 @@ void with_workshop(const shadow::RivalView& view, bool has_order, Cut&& cut) {
 
 Panel pieces_panel(const shadow::RivalView& view) {
     Panel panel;
-    with_workshop(view, false, [&](shadow::Workshop& w) {
+    with_workshop(view, false, [&](rivals::Workshop& w) {
         rivals::SplitCounts counts;
         rivals::MaskCounts mask_counts;
         std::vector<std::uint32_t> pieces(view.shown.size());
@@ -97,7 +97,7 @@ Panel pieces_panel(const shadow::RivalView& view) {
 
 Panel order_panel(const shadow::RivalView& view) {
     Panel panel;
-    with_workshop(view, true, [&](shadow::Workshop& w) {
+    with_workshop(view, true, [&](rivals::Workshop& w) {
         rivals::OrderCounts counts;
         if (w.order.make(w.lines, w.casters, counts) != rivals::OrderStatus::ok) return false;
         std::vector<std::uint32_t> ranks(view.setting.mesh.facets.size());
