@@ -5,11 +5,10 @@
 //   leaves    its samples at the leaves' centres                        sampling.hpp
 //   shade     the levels of its leaves                                  shading.hpp
 //
-// The headers named on the right are the definitions. The forms are one text, block_body.hpp and
-// shade_body.hpp, of loops over 16 leaves that the compiler makes vectors of, once for each of
-// fixed/lane_sets.hpp. The program asks
-// the processor once a drawing and takes the last form that it has. Tests run every form that the
-// machine has and compare it bit for bit with the definitions.
+// The headers named on the right are the definitions. The forms are one text, block_body.hpp, of
+// loops over 16 leaves that the compiler makes vectors of, once for each of fixed/lane_sets.hpp. The
+// program asks the processor once a drawing and takes the last form that it has. Tests run every
+// form that the machine has and compare it bit for bit with the definitions.
 //
 // centres and leaves step back where a word may not fit their lanes: they return false, and the
 // definition does the block. shade() is asked only for what BlockShading::job covers.
@@ -33,7 +32,7 @@ struct BlockSample {
 };
 
 struct BlockSamples {
-    static constexpr std::size_t most = 2 * leaves * leaves;
+    static constexpr std::size_t most = 2 * leaves * leaves + 1;  // one place is written in vain
     std::size_t count;
     std::uint64_t tested;  // centres
     std::array<BlockSample, most> sample;

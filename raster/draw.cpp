@@ -179,11 +179,10 @@ void shade_leaves(const BlockSamples& samples, const BlockForm& form, LeafLevels
                   BlockShading& shading) {
     ShadeJob job;
     if (samples.count == 0 || !shading.job(job)) return;
-    std::array<std::uint8_t, leaves * leaves + 15> numbers;
+    std::array<std::uint8_t, BlockSamples::most + 15> numbers;
     std::size_t count = 0;
-    for (std::size_t k = 0; k < samples.count; ++k) {  // a leaf's samples follow one another
-        const std::uint8_t leaf = samples.sample[k].leaf;
-        if (count == 0 || numbers[count - 1] != leaf) numbers[count++] = leaf;
+    for (std::size_t k = 0; k < samples.count; ++k) {  // some twice
+        numbers[count++] = samples.sample[k].leaf;
     }
     form.shade(job, numbers.data(), count, levels);
     shading.keep(levels);

@@ -31,6 +31,7 @@ namespace umbra78::raster {
 // What is done with samples.
 //   shades        a constant: whether sample() is given the block's shading, or nullptr
 //   hidden(f)     whether every sample with this footprint would change nothing
+//   expect(f)     if there: samples with this footprint will come
 //   keeps(x, y, code)  if there: whether a sample of the pixel may change anything
 //   sample(...)   one sample, its Z code and the shading of its block or facet
 template <class T>
@@ -92,8 +93,7 @@ struct Emitter {
     // `offset` moves the sample away, and not beyond the far plane; it is not negative.
     bool code_of(std::int64_t z, std::int64_t offset, std::uint32_t& code) const {
         if (!coder(z, code)) return false;
-        if (offset > 0 && !coder(z + offset, code))
-            code = setup.spec.deepest_drawn();
+        if (offset > 0) code = coder.moved(z + offset);
         ++counts.samples;
         return true;
     }
@@ -221,10 +221,12 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
         ++counts.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            if (setup.leaves_out_hidden && emit.sink.hidden(footprint(bounds, setup.spec))) {
+            const Footprint reached = footprint(bounds, setup.spec);
+            if (setup.leaves_out_hidden && emit.sink.hidden(reached)) {
                 ++counts.hidden_blocks;
                 continue;
             }
+            if constexpr (requires { emit.sink.expect(reached); }) emit.sink.expect(reached);
             if (!walk.make_corners(form)) {
                 ++counts.unresolved;
                 continue;

@@ -198,16 +198,26 @@ public:
           background_(spec.background()) {}
 
     constexpr bool operator()(std::int64_t z, std::uint32_t& code) const {
-        const std::int64_t rounded = rounding_ == fixed::Rounding::half_up
-                                         ? half_up(z, guard_)
-                                         : fixed::round_shift(z, guard_, rounding_);
+        if (rounding_ != fixed::Rounding::half_up) [[unlikely]] return general(z, code);
+        return of_rounded(half_up(z, guard_), code);
+    }
+    // Of a sample that was moved away from the near plane; not beyond the far one.
+    constexpr std::uint32_t moved(std::int64_t z) const {
+        std::uint32_t code = 0;
+        return general(z, code) ? code : static_cast<std::uint32_t>(background_) - 1;
+    }
+
+private:
+    constexpr bool general(std::int64_t z, std::uint32_t& code) const {
+        return of_rounded(fixed::round_shift(z, guard_, rounding_), code);
+    }
+    constexpr bool of_rounded(std::int64_t rounded, std::uint32_t& code) const {
         const std::int64_t c = rounded + offset_;
         if (c < 0 || c > background_) return false;
         code = static_cast<std::uint32_t>(c) - (c == background_ ? 1 : 0);
         return true;
     }
 
-private:
     int guard_;
     fixed::Rounding rounding_;
     std::int64_t offset_, background_;

@@ -48,6 +48,23 @@ private:
     std::array<Stage, max_dequantize_passes> stage_{};
 };
 
+// floor(v / divisor) of a v that grows by the same step from sub-row to sub-row. divisor > 0.
+struct Crossing {
+    std::int64_t value, rest, step, step_rest, divisor;
+
+    Crossing(std::int64_t v, std::int64_t grows, std::int64_t by)
+        : value(fixed::round_divide(v, by, fixed::Rounding::floor)), rest(v - value * by),
+          step(fixed::round_divide(grows, by, fixed::Rounding::floor)),
+          step_rest(grows - step * by), divisor(by) {}
+    void next() {
+        value += step;
+        rest += step_rest;
+        if (rest < divisor) return;
+        rest -= divisor;
+        ++value;
+    }
+};
+
 template <class Depth>
 class Tracer {
 public:
@@ -154,12 +171,13 @@ private:
         const Node& end = up ? a : b;
         const std::int32_t first = (top.y + sub_row / 2 - 1) / sub_row;
         const std::int32_t last = (end.y + sub_row / 2 - 1) / sub_row;
+        if (first >= last) return;
         const auto sign = static_cast<std::int16_t>(up ? 1 : -1);
-        for (std::int32_t r = first; r < last; ++r) {
-            const std::int64_t along = r * sub_row + sub_row / 2 - top.y;
-            const std::int64_t x =
-                top.x + fixed::round_divide(along * (end.x - top.x), end.y - top.y,
-                                            fixed::Rounding::floor);
+        const std::int64_t along = first * sub_row + sub_row / 2 - top.y;
+        Crossing crossing(along * (end.x - top.x), std::int64_t{sub_row} * (end.x - top.x),
+                          end.y - top.y);
+        for (std::int32_t r = first; r < last; ++r, crossing.next()) {
+            const std::int64_t x = top.x + crossing.value;
             const std::int64_t step = (x + sub_row / 2) / sub_row;  // 1/16 pixel
             const auto part = static_cast<std::int16_t>(step % sub_rows);
             std::int16_t* cell = memory_.coverage.data() +

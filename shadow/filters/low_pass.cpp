@@ -1,4 +1,5 @@
-// The low-pass, in strips of up to 512 pixels down the frame, three lines of them at a time.
+// The low-pass, in strips of up to 256 pixels down the frame, three lines of them at a time. Where
+// all three are lit the result is, and nothing is summed.
 #include "shadow/filters/low_pass.hpp"
 
 #include "shadow/filters/filter_check.hpp"
@@ -35,38 +36,70 @@ public:
         : mask_(mask), observer_(observer), background_(background), form_(form), from_(from),
           count_(count) {}
 
-    // The strip of line y, which may be one beyond the frame.
-    const LowPassStrip& at(int y) {
-        const auto k = static_cast<std::size_t>((y + 3) % 3);
-        if (held_[k] != y) fill(y, strip_[k]);
-        held_[k] = y;
-        return strip_[k];
+    // Line y of the result.
+    void filter(int y, std::uint8_t* out) {
+        LowPassStrip &above = at(y - 1), &here = at(y), &below = at(y + 1);
+        if (!above.dark && !here.dark && !below.dark) {
+            std::fill_n(out, count_, std::uint8_t{0});
+            return;
+        }
+        for (LowPassStrip* strip : {&above, &here, &below}) add_up(*strip);
+        form_.down(above, here, below, count_, out);
     }
 
 private:
-    void fill(int y, LowPassStrip& strip) const {
-        const int size = observer_.size_px(), width = count_ + 2;
-        std::fill_n(strip.missing, width, std::uint8_t{1});
-        std::fill_n(strip.self, width, std::uint8_t{0});
-        if (y >= 0 && y < size) {
-            const int first = std::max(from_ - 1, 0), last = std::min(from_ + count_ + 1, size);
-            const std::size_t a = observer_.address(first, y);
-            read(observer_.depth.data() + a, mask_.data() + a, last - first, first - (from_ - 1),
-                 strip);
+    // The strip of line y, which may be one beyond the frame.
+     LowPassStrip& at(int y) {
+        const auto k = static_cast<std::size_t>((y + 3) % 3);
+        if (held_[k] != y) {
+            summed_[k] = false;
+            strip_[k].dark = fill(y, strip_[k]);
         }
-        form_.across(strip, count_);
+        held_[k] = y;
+        return strip_[k];
     }
-    void read(const Depth* depth, const std::uint8_t* mask, int count, int at,
-              LowPassStrip& strip) const {
-        if constexpr (sizeof(Depth) == sizeof(hw::Depth16)) {
-            form_.read(depth, mask, background_, count, strip.missing + at, strip.self + at);
-        } else {
-            for (int x = 0; x < count; ++x) {
-                const bool none = depth[x] == background_;
-                strip.missing[at + x] = none ? 1 : 0;
-                strip.self[at + x] = none ? std::uint8_t{0} : mask[x];
-            }
+    void add_up(LowPassStrip& strip) {
+        bool& summed = summed_[static_cast<std::size_t>(&strip - strip_.data())];
+        if (!summed) form_.across(strip, count_);
+        summed = true;
+    }
+
+    bool fill(int y, LowPassStrip& strip) const {
+        const int size = observer_.size_px(), width = count_ + 2;
+        if (y < 0 || y >= size) {
+            std::fill_n(strip.missing, width, std::uint8_t{1});
+            std::fill_n(strip.self, width, std::uint8_t{0});
+            return false;
         }
+        const std::size_t a = observer_.address(from_, y);
+        const Depth* depth = observer_.depth.data() + a;
+        const std::uint8_t* mask = mask_.data() + a;
+        bool dark = read(depth, mask, count_, strip.missing + 1, strip.self + 1);
+        for (const int x : {-1, count_}) {
+            strip.missing[x + 1] = 1;
+            strip.self[x + 1] = 0;
+            if (from_ + x >= 0 && from_ + x < size)
+                dark = read_each(depth + x, mask + x, 1, strip.missing + x + 1,
+                                 strip.self + x + 1) || dark;
+        }
+        return dark;
+    }
+    bool read(const Depth* depth, const std::uint8_t* mask, int count, std::uint8_t* missing,
+              std::uint8_t* self) const {
+        if constexpr (sizeof(Depth) == sizeof(hw::Depth16))
+            return form_.read(depth, mask, background_, count, missing, self);
+        return read_each(depth, mask, count, missing, self);
+    }
+    bool read_each(const Depth* depth, const std::uint8_t* mask, int count,
+                   std::uint8_t* missing, std::uint8_t* self) const {
+        bool dark = false;
+        for (int x = 0; x < count; ++x) {
+            const bool none = depth[x] == background_;
+            missing[x] = none ? 1 : 0;
+            self[x] = none ? std::uint8_t{0} : mask[x];
+            dark = dark || self[x] != 0;
+        }
+        return dark;
     }
 
     std::span<const std::uint8_t> mask_;
@@ -76,6 +109,7 @@ private:
     int from_, count_;
     std::array<LowPassStrip, 3> strip_;
     std::array<int, 3> held_{-2, -2, -2};  // none
+    std::array<bool, 3> summed_{};
 };
 
 }  // namespace
@@ -96,8 +130,7 @@ void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>
         Strips<Depth> strips(mask, observer, background, form, x, count);
         for (int y = 0; y < size; ++y)
             if (lines.has(y))
-                form.down(strips.at(y - 1), strips.at(y), strips.at(y + 1), count,
-                          out.data() + observer.address(x, y));
+                strips.filter(y, out.data() + observer.address(x, y));
     }
 }
 

@@ -2,16 +2,21 @@
 // empty. All sums fit 16 bits: 16 times 255.
 #ifdef UMBRA78_LANES_TEXT
 
-static void read_form(const hw::Depth16* depth, const std::uint8_t* mask, hw::Depth16 background,
-                      int count, std::uint8_t* __restrict missing, std::uint8_t* __restrict self) {
+// Each loop twice: a whole strip's count is a constant, which spares the rest of a last vector.
+static inline bool read(const hw::Depth16* depth, const std::uint8_t* mask,
+                        hw::Depth16 background, int count, std::uint8_t* __restrict missing,
+                        std::uint8_t* __restrict self) {
+    std::uint8_t any = 0;
     for (int x = 0; x < count; ++x) {
         const std::uint8_t none = depth[x] == background ? 1 : 0;
         missing[x] = none;
         self[x] = static_cast<std::uint8_t>(mask[x] & (none - 1));
+        any |= self[x];
     }
+    return any != 0;
 }
 
-static void across_form(LowPassStrip& strip, int count) {
+static inline void across(LowPassStrip& strip, int count) {
     const std::uint8_t *n = strip.missing, *m = strip.self;
     std::uint16_t* __restrict sum = strip.sum;
     std::uint8_t* __restrict weight = strip.weight;
@@ -21,8 +26,8 @@ static void across_form(LowPassStrip& strip, int count) {
         weight[x] = static_cast<std::uint8_t>(n[x] + 2 * n[x + 1] + n[x + 2]);
 }
 
-static void down_form(const LowPassStrip& above, const LowPassStrip& here,
-                      const LowPassStrip& below, int count, std::uint8_t* __restrict out) {
+static inline void add_lines(const LowPassStrip& above, const LowPassStrip& here,
+                             const LowPassStrip& below, int count, std::uint8_t* __restrict out) {
     for (int x = 0; x < count; ++x) {
         const auto weight =
             static_cast<std::uint8_t>(above.weight[x] + 2 * here.weight[x] + below.weight[x]);
@@ -35,6 +40,21 @@ static void down_form(const LowPassStrip& above, const LowPassStrip& here,
         const auto kept = static_cast<std::uint16_t>(here.missing[x + 1] - 1);
         out[x] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(sum >> 4) & kept);
     }
+}
+
+static bool read_form(const hw::Depth16* depth, const std::uint8_t* mask, hw::Depth16 background,
+                      int count, std::uint8_t* missing, std::uint8_t* self) {
+    return count == LowPassStrip::most
+               ? read(depth, mask, background, LowPassStrip::most, missing, self)
+               : read(depth, mask, background, count, missing, self);
+}
+static void across_form(LowPassStrip& strip, int count) {
+    count == LowPassStrip::most ? across(strip, LowPassStrip::most) : across(strip, count);
+}
+static void down_form(const LowPassStrip& above, const LowPassStrip& here,
+                      const LowPassStrip& below, int count, std::uint8_t* out) {
+    count == LowPassStrip::most ? add_lines(above, here, below, LowPassStrip::most, out)
+                                : add_lines(above, here, below, count, out);
 }
 
 #endif

@@ -18,16 +18,18 @@ namespace umbra78::shadow {
 
 // Part of a line. `self` and `missing` begin with the pixel left of the part.
 struct LowPassStrip {
-    static constexpr int most = 512;
+    static constexpr int most = 256;
     std::uint8_t missing[most + 2], self[most + 2];
     std::uint16_t sum[most];     // of darkness, across
-    std::uint8_t weight[most];  // of what is missing, across
+    std::uint8_t weight[most];   // of what is missing, across
+    bool dark;                   // whether `self` is not 0 throughout; without it there are no sums
 };
 
 struct LowPassForm {
     std::string_view name;
     bool (*supported)();  // by this processor
-    void (*read)(const hw::Depth16* depth, const std::uint8_t* mask, hw::Depth16 background,
+    // Returns whether any of `self` is not 0.
+    bool (*read)(const hw::Depth16* depth, const std::uint8_t* mask, hw::Depth16 background,
                  int count, std::uint8_t* missing, std::uint8_t* self);
     void (*across)(LowPassStrip& strip, int count);
     void (*down)(const LowPassStrip& above, const LowPassStrip& here, const LowPassStrip& below,

@@ -95,7 +95,7 @@ TEST(LowPass, BeyondTheFrameAndBackgroundIsThePixelItself) {
     for (const std::uint8_t v : p.out) EXPECT_EQ(v, 0);
 }
 
-// By every form that this machine has; the widest frame takes two strips.
+// By every form that this machine has; a wide frame takes several strips.
 TEST(LowPass, IsTheSlowModel) {
     Random random;
     for (int round = 0; round < 40; ++round) {
