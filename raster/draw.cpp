@@ -159,13 +159,33 @@ bool BlockWalk::next(ScreenBounds& bounds) {
     return false;
 }
 
-bool BlockWalk::make_corners() {
+bool BlockWalk::make_corners(const BlockForm& form) {
     if (affine()) {
-        expand<std::int32_t, 3>(first<3>(block().screen), memory_.corners);
+        form.expand(first<3>(block().screen), memory_.corners);
         return true;
     }
     expand<std::int64_t, 4>(block().screen, memory_.homogeneous);
     return divide_corners(memory_.homogeneous, setup_.spec, memory_.corners);
+}
+
+bool find_samples(const Corners& corners, const DrawSetup& setup, const BlockForm& form,
+                  BlockSamples& out) {
+    const std::int32_t half = setup.spec.half_px();
+    return setup.by_centres() ? form.centres(corners, half, out)
+                              : form.leaves(corners, half, out);
+}
+
+void shade_leaves(const BlockSamples& samples, const BlockForm& form, LeafLevels& levels,
+                  BlockShading& shading) {
+    ShadeJob job;
+    if (samples.count == 0 || !shading.job(job)) return;
+    std::array<std::uint8_t, BlockSamples::most + 15> numbers;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < samples.count; ++k) {  // some twice
+        numbers[count++] = samples.sample[k].leaf;
+    }
+    form.shade(job, numbers.data(), count, levels);
+    shading.keep(levels);
 }
 
 }  // namespace detail

@@ -12,18 +12,13 @@
 #pragma once
 
 #include "hw/features.hpp"
-#include "raster/casters.hpp"
-#include "raster/dice.hpp"
 #include "raster/diced_view.hpp"
 #include "raster/draw_counts.hpp"
+#include "raster/draw_setup.hpp"
 #include "raster/facet.hpp"
 #include "raster/footprint.hpp"
-#include "raster/leaf_centres.hpp"
 #include "raster/places.hpp"
-#include "raster/projection.hpp"
 #include "raster/sampling.hpp"
-#include "raster/shading.hpp"
-#include "raster/view.hpp"
 
 #include <array>
 #include <concepts>
@@ -36,6 +31,8 @@ namespace umbra78::raster {
 // What is done with samples.
 //   shades        a constant: whether sample() is given the block's shading, or nullptr
 //   hidden(f)     whether every sample with this footprint would change nothing
+//   expect(f)     if there: samples with this footprint will come
+//   keeps(x, y, code)  if there: whether a sample of the pixel may change anything
 //   sample(...)   one sample, its Z code and the shading of its block or facet
 template <class T>
 concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
@@ -45,71 +42,6 @@ concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
     { unchanged.hidden(footprint) } -> std::same_as<bool>;
     { sink.sample(sample, code, shading) } -> std::same_as<void>;
     { sink.sample(sample, code, of_facet) } -> std::same_as<void>;
-};
-
-// Rounds the view's exact matrix to the unit's words. An affine matrix is refused, too, where a
-// raster word could be so large that its corrections and bounds would not fit 64 bits.
-hw::LoadStatus load_view(const View& view, const MachineSpec& spec, WordFormat object,
-                         MatrixWords& out);
-// The same of any matrix from world units to the screen.
-hw::LoadStatus load_view(const RationalMatrix& exact, const MachineSpec& spec, WordFormat object,
-                         MatrixWords& out);
-
-// How patches become samples: by Catmull's subdivision, or diced to facets (dice.hpp).
-enum class PatchForm : std::uint8_t { catmull, diced };
-
-// Which surfaces are drawn: all; those of which a sample may lie in the view; or the others, which
-// changes no store. A patch is outside by its control points' bounds, a facet of the mesh by its
-// corners.
-enum class Drawn : std::uint8_t { all, inside, outside };
-
-struct DrawSetup {
-    MachineSpec spec;
-    MatrixWords matrix;  // object words to screen
-    WordFormat object;
-    Sampling sampling = Sampling::centre;
-    std::span<const Material> materials;  // at least as many as the patches name
-    ShadingSpec shading;                  // read only by a sink that shades
-    PatchForm form = PatchForm::catmull;
-    int dice_levels = 3;              // at most so many
-    std::int64_t dice_tolerance = 0;  // world words
-    Facing facing = Facing::both;  // of facets
-    // Whether blocks behind what was drawn before are left out. Without it the counts do not depend
-    // on the order of the patches.
-    bool leaves_out_hidden = true;
-    hw::UnitWork work{};  // constants of an affine matrix that the unit computes for every point
-    Drawn drawn = Drawn::all;
-    Casters casters{};  // of a light's map
-
-    Facing facet_facing() const {
-        return casters.facing == Facing::both ? facing : casters.facing;
-    }
-    // `outside` is asked only where it matters.
-    template <class Outside>
-    bool draws(Outside&& outside) const {
-        return drawn == Drawn::all || outside() == (drawn == Drawn::outside);
-    }
-};
-
-inline constexpr int deepest_level = 24;  // halvings in each direction
-// Splits a patch may take, so that every frame ends: the figures need some hundreds. A patch that
-// needs more (one through a light's eye, magnified a thousandfold) loses what is left of it.
-inline constexpr std::uint32_t max_splits = 1u << 20;
-
-struct StackBlock {
-    std::array<Component, 4> screen;  // x, y, z, or X, Y, Z, W
-    std::array<Component, 3> world;   // only where the sink shades
-    int level_u, level_v;
-};
-
-// A split takes one block from the stack and puts two back, so the stack grows by one a level; the
-// popped block and its second half need a place each.
-struct DrawMemory {
-    std::array<StackBlock, 2 * deepest_level + 2> stack;
-    Corners corners;
-    std::array<CornerGrid<std::int64_t>, 4> homogeneous;
-    struct Nothing {};
-    std::conditional_t<hw::built(hw::Feature::dicing), DiceMemory, Nothing> dice;
 };
 
 namespace detail {
@@ -134,7 +66,7 @@ public:
     // Pops, splits and pushes until a block is ready to be drawn; false when none is left.
     bool next(ScreenBounds& bounds);
     // The popped block's corners; false if it had to be dropped.
-    bool make_corners();
+    bool make_corners(const BlockForm& form);
     const StackBlock& block() const { return memory_.stack[depth_]; }
 
 private:
@@ -156,16 +88,19 @@ struct Emitter {
     const DrawSetup& setup;
     SampleSink& sink;
     DrawCounts& counts;
+    DepthCoder coder{setup.spec};
 
     // `offset` moves the sample away, and not beyond the far plane; it is not negative.
+    bool code_of(std::int64_t z, std::int64_t offset, std::uint32_t& code) const {
+        if (!coder(z, code)) return false;
+        if (offset > 0) code = coder.moved(z + offset);
+        ++counts.samples;
+        return true;
+    }
     template <class Shading>
     void operator()(const Sample& s, const Shading* shading, std::int64_t offset = 0) const {
         std::uint32_t code = 0;
-        if (!depth_code(s.z, setup.spec, code)) return;
-        if (offset > 0 && !depth_code(s.z + offset, setup.spec, code))
-            code = setup.spec.deepest_drawn();
-        ++counts.samples;
-        sink.sample(s, code, shading);
+        if (code_of(s.z, offset, code)) sink.sample(s, code, shading);
     }
 };
 
@@ -177,25 +112,94 @@ const Material* material_of(std::uint16_t material, const DrawSetup& setup) {
     return &setup.materials[material];
 }
 
+// A block's samples; false if they are left to the definition, by which a leaf may have any number.
+bool find_samples(const Corners& corners, const DrawSetup& setup, const BlockForm& form,
+                  BlockSamples& out);
+
+// The levels of the samples' leaves.
+void shade_leaves(const BlockSamples& samples, const BlockForm& form, LeafLevels& levels,
+                  BlockShading& shading);
+
+inline Sample sample_of(const BlockSample& s, std::int32_t half_px) {
+    const auto pixel = [&](std::int32_t at) {
+        return fixed::floor_shift(at, raster_fraction) + half_px;
+    };
+    return {pixel(s.x), pixel(s.y), s.x, s.y, s.z, s.leaf % leaves, s.leaf / leaves, s.second};
+}
+
+// Whether a sample is drawn, and by how much it is moved away.
+inline bool is_cast(const DrawSetup& setup, const Corners& corners, const Sample& s,
+                    std::int64_t& offset) {
+    offset = 0;
+    if constexpr (!hw::built(hw::Feature::surface_bias)) return true;
+    return setup.casters.all_alike() ||
+           cast_by_leaf(setup.casters, corners, s, setup.sampling, offset);
+}
+
+// Leaves in the list the samples that the sink may take, with their codes.
 template <class SampleSink>
-void sample_block(const DrawSetup& setup, const DrawMemory& memory, const BlockShading* shading,
-                  const Emitter<SampleSink>& emit) {
-    const auto take = [&](auto&& each) {
-        if constexpr (HasPlaces<SampleSink>) {
-            emit.counts.tested_centres +=
-                sample_block_places(memory.corners, emit.sink.places, each);
-        } else if (!hw::built(hw::Feature::leaf_sampling) || setup.sampling == Sampling::centre) {
-            emit.counts.tested_centres += sample_leaf_centres(memory.corners, setup.spec, each);
+void keep_samples(const DrawSetup& setup, DrawMemory& memory, const Emitter<SampleSink>& emit) {
+    BlockSamples& list = memory.samples;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < list.count; ++k) {
+        const BlockSample s = list.sample[k];
+        const Sample whole = sample_of(s, setup.spec.half_px());
+        std::int64_t offset = 0;
+        std::uint32_t code = 0;
+        if (!is_cast(setup, memory.corners, whole, offset)) continue;
+        if (!emit.code_of(s.z, offset, code)) continue;
+        list.sample[kept] = s;
+        memory.codes[kept] = code;
+        if constexpr (requires { emit.sink.keeps(0, 0, code); }) {
+            kept += emit.sink.keeps(whole.px, whole.py, code) ? 1 : 0;
         } else {
-            sample_leaves(memory.corners, setup.spec, each);
+            ++kept;
+        }
+    }
+    list.count = kept;
+}
+
+// `material` is nullptr where the sink does not shade.
+template <class SampleSink>
+void sample_block(const DrawSetup& setup, DrawMemory& memory, const BlockForm& form,
+                  const StackBlock& block, const Material* material,
+                  const Emitter<SampleSink>& emit) {
+    const auto shaded = [&](auto&& run) {
+        if constexpr (SampleSink::shades) {
+            BlockShading shading(block.world, setup.shading, *material);
+            run(&shading);
+        } else {
+            run(static_cast<BlockShading*>(nullptr));
         }
     };
-    if (setup.casters.all_alike()) return take([&](const Sample& s) { emit(s, shading); });
-    if constexpr (hw::built(hw::Feature::surface_bias)) {
-        take([&](const Sample& s) {
-            std::int64_t offset = 0;
-            if (cast_by_leaf(setup.casters, memory.corners, s, setup.sampling, offset))
-                emit(s, shading, offset);
+    const auto one_by_one = [&](auto&& sample) {
+        shaded([&](const BlockShading* shading) {
+            sample([&](const Sample& s) {
+                std::int64_t offset = 0;
+                if (is_cast(setup, memory.corners, s, offset)) emit(s, shading, offset);
+            });
+        });
+    };
+    std::uint64_t& tested = emit.counts.tested_centres;
+    if constexpr (HasPlaces<SampleSink>) {
+        one_by_one([&](auto&& each) {
+            tested += sample_block_places(memory.corners, emit.sink.places, each);
+        });
+    } else if (!find_samples(memory.corners, setup, form, memory.samples)) {
+        one_by_one([&](auto&& each) {
+            if (!setup.by_centres()) return sample_leaves(memory.corners, setup.spec, each);
+            tested += sample_centres(memory.corners, setup.spec, each);
+        });
+    } else {
+        const BlockSamples& samples = memory.samples;
+        tested += samples.tested;
+        keep_samples(setup, memory, emit);
+        if (samples.count == 0) return;
+        shaded([&](BlockShading* shading) {
+            if (shading != nullptr) shade_leaves(samples, form, memory.levels, *shading);
+            for (std::size_t k = 0; k < samples.count; ++k)
+                emit.sink.sample(sample_of(samples.sample[k], setup.spec.half_px()),
+                                 memory.codes[k], static_cast<const BlockShading*>(shading));
         });
     }
 }
@@ -204,6 +208,7 @@ template <class SampleSink>
 void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t> order,
                   const DrawSetup& setup, DrawMemory& memory, const Emitter<SampleSink>& emit) {
     DrawCounts& counts = emit.counts;
+    const BlockForm& form = setup.blocks != nullptr ? *setup.blocks : fastest_block_form();
     BlockWalk walk(setup, memory, SampleSink::shades, counts);
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
@@ -216,21 +221,18 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
         ++counts.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            if (setup.leaves_out_hidden && emit.sink.hidden(footprint(bounds, setup.spec))) {
+            const Footprint reached = footprint(bounds, setup.spec);
+            if (setup.leaves_out_hidden && emit.sink.hidden(reached)) {
                 ++counts.hidden_blocks;
                 continue;
             }
-            if (!walk.make_corners()) {
+            if constexpr (requires { emit.sink.expect(reached); }) emit.sink.expect(reached);
+            if (!walk.make_corners(form)) {
                 ++counts.unresolved;
                 continue;
             }
             ++counts.blocks;
-            if constexpr (SampleSink::shades) {
-                const BlockShading shading(walk.block().world, setup.shading, *material);
-                sample_block(setup, memory, &shading, emit);
-            } else {
-                sample_block(setup, memory, nullptr, emit);
-            }
+            sample_block(setup, memory, form, walk.block(), material, emit);
         }
     }
 }

@@ -249,6 +249,16 @@ bool FacetWalk::to_corner(const ScreenPlace& p, Corner& out) const {
     return true;
 }
 
+bool FacetWalk::in_cube(std::uint32_t vertex) {
+    const Seen& s = see(vertex);
+    if (!s.has_corner) return false;
+    ScreenBounds bounds{};
+    bounds[0].min = bounds[0].max = s.corner.x;
+    bounds[1].min = bounds[1].max = s.corner.y;
+    bounds[2].min = bounds[2].max = s.corner.z;
+    return block_action(bounds, spec_) != BlockAction::outside;
+}
+
 bool FacetWalk::footprint(Footprint& out) const {
     ScreenBounds bounds{};
     const auto first = corner_.begin(), last = first + polygon_.count;

@@ -93,6 +93,8 @@ public:
 
     // Of the facet that was projected last, if it is ready or cut:
     bool footprint(Footprint& out) const;  // false if it lies outside the cube
+    // Whether a vertex lies in the cube; a facet of three such vertices is neither cut nor unseen.
+    bool in_cube(std::uint32_t vertex);
     // Whether a facet with this outcome has no sample in the view.
     bool unseen(Outcome outcome) const {
         Footprint f;

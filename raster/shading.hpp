@@ -130,6 +130,9 @@ UnitVector direction(const Toward& toward, const WideVector& place_1024);
 inline constexpr int kept_bits = 14;
 UnitVector kept_normal(const WideVector& normal, const UnitVector& to_viewer);
 
+struct ShadeJob;    // block_form.hpp
+struct LeafLevels;
+
 // Normals and places at a block's four corners (2 v + u), ready for its 256 leaves.
 class BlockShading {
 public:
@@ -139,18 +142,27 @@ public:
     // Of leaf (i, j).
     Shades shade(int i, int j, Shadowed shadowed) const;
     Shades shade(const Sample& s, Shadowed shadowed) const {
-        return shade(s.leaf_i, s.leaf_j, shadowed);
+        return levels_ != nullptr && shadowed == 0 ? kept_levels(s)
+                                                   : shade(s.leaf_i, s.leaf_j, shadowed);
     }
+    // The same for the lanes, and the levels that they made of it: of every leaf that is asked for.
+    // False where lanes do not cover it: light or viewer at a point, no shading, or normals that
+    // turn by 60 degrees or more within the block.
+    bool job(ShadeJob& out) const;
+    void keep(const LeafLevels& levels) { levels_ = &levels; }
+    const LeafLevels* kept() const { return levels_; }
     // What the store keeps of the sample's leaf.
     UnitVector normal(const Sample& s) const;
 
 private:
     UnitVector toward(const Toward& to, int i, int j) const;
+    Shades kept_levels(const Sample& s) const;
 
     const ShadingSpec& spec_;
     const Material& material_;
     std::array<UnitVector, 4> normal_{};
     std::array<WideVector, 4> place_{};
+    const LeafLevels* levels_ = nullptr;
 };
 
 }  // namespace umbra78::raster

@@ -11,6 +11,7 @@
 
 #include "hw/features.hpp"
 #include "hw/frame_store.hpp"
+#include "raster/block_form.hpp"
 #include "raster/footprint.hpp"
 #include "raster/sampling.hpp"
 #include "raster/shading.hpp"
@@ -33,15 +34,27 @@ bool all_nearer(const hw::FrameStore<Depth>& store, const Footprint& f) {
     return true;
 }
 
+// Asks for the memory of a plane's pixels in a footprint, before samples come to them.
+template <class Word>
+void expect_pixels(const Word* plane, int xy_bits, const Footprint& f) {
+    for (int y = f.y0; y <= f.y1; ++y) {
+        const Word* row = plane + (static_cast<std::size_t>(y) << xy_bits);
+        __builtin_prefetch(row + f.x0, 1);
+        __builtin_prefetch(row + f.x1, 1);
+    }
+}
+
 template <class Depth>
 struct DepthSink {
     static constexpr bool shades = false;
     hw::FrameStore<Depth>& store;
 
     bool hidden(const Footprint& f) const { return all_nearer(store, f); }
+    void expect(const Footprint& f) const { expect_pixels(store.depth.data(), store.xy_bits, f); }
     void sample(const Sample& s, std::uint32_t code, const void*) {
         Depth& z = store.depth[store.address(s.px, s.py)];
-        if (code < z) z = static_cast<Depth>(code);
+        const std::uint32_t kept = z;  // stored in any case: which is the nearer is hard to predict
+        z = static_cast<Depth>(code < kept ? code : kept);
     }
 };
 
@@ -73,6 +86,29 @@ public:
             intensity_[k * pixels_ + address] = shades[k].intensity;
             for (std::size_t l = 0; l < sources_; ++l)
                 direct_[(k * sources_ + l) * pixels_ + address] = shades[k].direct[l];
+        }
+    }
+
+    // Whether a leaf's levels, which lie by planes already, come before those at an address.
+    bool is_less(const LeafLevels& levels, std::size_t leaf, std::size_t address) const {
+        const auto* plane = levels.level;
+        for (std::size_t k = 0; k < channels_; ++k) {
+            for (std::size_t l = 0; l <= sources_; ++l) {
+                const std::uint8_t ours = (*plane++)[leaf];
+                const std::uint8_t kept =
+                    l == 0 ? intensity_[k * pixels_ + address]
+                           : direct_[(k * sources_ + l - 1) * pixels_ + address];
+                if (ours != kept) return ours < kept;
+            }
+        }
+        return false;
+    }
+    void put(std::size_t address, const LeafLevels& levels, std::size_t leaf) const {
+        const auto* plane = levels.level;
+        for (std::size_t k = 0; k < channels_; ++k) {
+            intensity_[k * pixels_ + address] = (*plane++)[leaf];
+            for (std::size_t l = 0; l < sources_; ++l)
+                direct_[(k * sources_ + l) * pixels_ + address] = (*plane++)[leaf];
         }
     }
 
@@ -120,8 +156,25 @@ public:
     PictureSink(hw::FrameStore<Depth>& store) : store_(store), planes_(store), normals_(store) {}
 
     bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
+    void expect(const Footprint& f) const {
+        const std::size_t pixels = store_.depth.size();
+        expect_pixels(store_.depth.data(), store_.xy_bits, f);
+        for (std::size_t a = 0; a < store_.intensity.size(); a += pixels)
+            expect_pixels(store_.intensity.data() + a, store_.xy_bits, f);
+        for (std::size_t a = 0; a < store_.direct.size(); a += pixels)
+            expect_pixels(store_.direct.data() + a, store_.xy_bits, f);
+    }
+    bool keeps(int px, int py, std::uint32_t code) const {
+        return code <= store_.depth[store_.address(px, py)];
+    }
     template <class Shading>
     void sample(const Sample& s, std::uint32_t code, const Shading* shading) {
+        if constexpr (requires { shading->kept(); }) {
+            if (shading->kept() != nullptr && !normals_.kept()) {
+                take(store_.address(s.px, s.py), code, *shading->kept(), leaf_number(s));
+                return;
+            }
+        }
         replaces(s, code, shading);
     }
     // The same, and whether the sample's record is now the stored one.
@@ -142,6 +195,14 @@ public:
     }
 
 private:
+    // A sample whose levels are made already, where no normals are kept.
+    void take(std::size_t a, std::uint32_t code, const LeafLevels& levels, std::size_t leaf) {
+        Depth& z = store_.depth[a];
+        if (code > z || (code == z && !planes_.is_less(levels, leaf, a))) return;
+        z = static_cast<Depth>(code);
+        planes_.put(a, levels, leaf);
+    }
+
     hw::FrameStore<Depth>& store_;
     ShadePlanes<Depth> planes_;
     NormalPlanes<Depth> normals_;

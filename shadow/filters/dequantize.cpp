@@ -48,6 +48,23 @@ private:
     std::array<Stage, max_dequantize_passes> stage_{};
 };
 
+// floor(v / divisor) of a v that grows by the same step from sub-row to sub-row. divisor > 0.
+struct Crossing {
+    std::int64_t value, rest, step, step_rest, divisor;
+
+    Crossing(std::int64_t v, std::int64_t grows, std::int64_t by)
+        : value(fixed::round_divide(v, by, fixed::Rounding::floor)), rest(v - value * by),
+          step(fixed::round_divide(grows, by, fixed::Rounding::floor)),
+          step_rest(grows - step * by), divisor(by) {}
+    void next() {
+        value += step;
+        rest += step_rest;
+        if (rest < divisor) return;
+        rest -= divisor;
+        ++value;
+    }
+};
+
 template <class Depth>
 class Tracer {
 public:
@@ -63,8 +80,8 @@ public:
                 std::fill_n(memory_.coverage.data() + y * (size_ + 2), size_ + 2, std::int16_t{0});
         std::uint64_t steps = 0;
         for (int y = 0; y < size_; ++y)
-            for (int x = 0; lines_.has(y) && x < size_; ++x)
-                if (shadow(x, y) && !shadow(x, y - 1) && !visited(x, y)) steps += trace(x, y);
+            for (int x = 0; lines_.has(y) && x < size_; x += 8)
+                if (may_have_upper_edge(x, y)) steps += trace_from(x, y);
         return steps;
     }
 
@@ -72,6 +89,19 @@ private:
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) +
                static_cast<std::size_t>(x);
+    }
+    // Whether one of eight pixels is in shadow under a lit one: a shadow is the byte's highest bit.
+    bool may_have_upper_edge(int x, int y) const {
+        std::uint64_t here = 0, above = 0;
+        __builtin_memcpy(&here, mask_.data() + at(x, y), sizeof here);
+        if (y > 0) __builtin_memcpy(&above, mask_.data() + at(x, y - 1), sizeof above);
+        return (here & ~above & 0x8080808080808080) != 0;
+    }
+    std::uint64_t trace_from(int first, int y) {
+        std::uint64_t steps = 0;
+        for (int x = first; x < first + 8; ++x)
+            if (shadow(x, y) && !shadow(x, y - 1) && !visited(x, y)) steps += trace(x, y);
+        return steps;
     }
     bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < size_ && y < size_; }
     bool shadow(int x, int y) const { return inside(x, y) && mask_[at(x, y)] >= 128; }
@@ -141,12 +171,13 @@ private:
         const Node& end = up ? a : b;
         const std::int32_t first = (top.y + sub_row / 2 - 1) / sub_row;
         const std::int32_t last = (end.y + sub_row / 2 - 1) / sub_row;
+        if (first >= last) return;
         const auto sign = static_cast<std::int16_t>(up ? 1 : -1);
-        for (std::int32_t r = first; r < last; ++r) {
-            const std::int64_t along = r * sub_row + sub_row / 2 - top.y;
-            const std::int64_t x =
-                top.x + fixed::round_divide(along * (end.x - top.x), end.y - top.y,
-                                            fixed::Rounding::floor);
+        const std::int64_t along = first * sub_row + sub_row / 2 - top.y;
+        Crossing crossing(along * (end.x - top.x), std::int64_t{sub_row} * (end.x - top.x),
+                          end.y - top.y);
+        for (std::int32_t r = first; r < last; ++r, crossing.next()) {
+            const std::int64_t x = top.x + crossing.value;
             const std::int64_t step = (x + sub_row / 2) / sub_row;  // 1/16 pixel
             const auto part = static_cast<std::int16_t>(step % sub_rows);
             std::int16_t* cell = memory_.coverage.data() +
@@ -163,6 +194,34 @@ private:
     EdgeMemory memory_;
     const LineSet& lines_;
 };
+
+// A line's coverage, summed from the left, as darkness. Eight pixels whose coverage does not
+// change are of one darkness.
+template <class Depth>
+void fill_line(const std::int16_t* coverage, const Depth* depth, Depth background, int size,
+               std::uint8_t* out) {
+    int area = 0;  // of 256
+    const auto darkness = [&] {
+        const int covered = std::clamp(area, 0, 256);
+        return static_cast<std::uint8_t>(fixed::floor_shift(covered * 255 + 128, 8));
+    };
+    const auto put = [&](int x, std::uint8_t dark) {
+        out[x] = static_cast<std::uint8_t>(depth[x] == background ? 0 : dark);
+    };
+    for (int x = 0; x < size; x += 8) {
+        std::uint64_t changes[2];
+        __builtin_memcpy(changes, coverage + x, sizeof changes);
+        if ((changes[0] | changes[1]) == 0) {
+            const std::uint8_t dark = darkness();
+            for (int k = 0; k < 8; ++k) put(x + k, dark);
+            continue;
+        }
+        for (int k = 0; k < 8; ++k) {
+            area += coverage[x + k];
+            put(x + k, darkness());
+        }
+    }
+}
 
 }  // namespace
 
@@ -182,16 +241,9 @@ std::uint64_t dequantize(std::span<const std::uint8_t> mask,
     const int size = observer.size_px();
     for (int y = 0; y < size; ++y) {
         if (!lines.has(y)) continue;
-        const std::int16_t* row = memory.coverage.data() + y * (size + 2);
-        int area = 0;  // of 256
-        for (int x = 0; x < size; ++x) {
-            area += row[x];
-            const std::size_t a = observer.address(x, y);
-            const int covered = std::clamp(area, 0, 256);
-            const bool none = observer.depth[a] == background;
-            const int darkness = fixed::floor_shift(covered * 255 + 128, 8);
-            out[a] = none ? std::uint8_t{0} : static_cast<std::uint8_t>(darkness);
-        }
+        const std::size_t a = observer.address(0, y);
+        fill_line(memory.coverage.data() + y * (size + 2), observer.depth.data() + a, background,
+                  size, out.data() + a);
     }
     return steps;
 }

@@ -1,78 +1,152 @@
-// The low-pass: the definition at the frame's border, and the same in lanes inside it.
+// The low-pass, in strips of up to 256 pixels down the frame, three lines of them at a time. Where
+// all three are lit the result is, and nothing is summed.
 #include "shadow/filters/low_pass.hpp"
 
 #include "shadow/filters/filter_check.hpp"
+#include "shadow/filters/low_pass_form.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace umbra78::shadow {
+
+#define UMBRA78_LANES_TEXT "shadow/filters/low_pass_body.hpp"
+#include "fixed/lane_sets.hpp"
+
 namespace {
 
-// The definition, for the frame's border: a neighbour that is not there counts as the pixel.
-template <class Depth>
-std::uint8_t pixel(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
-                   Depth background, int x, int y) {
-    const int size = observer.size_px();
-    const std::size_t here = observer.address(x, y);
-    if (observer.depth[here] == background) return 0;
-    const int self = mask[here];
-    int sum = 8;
-    for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            const int px = x + dx, py = y + dy;
-            const bool beyond = px < 0 || py < 0 || px >= size || py >= size;
-            const std::size_t a = beyond ? here : observer.address(px, py);
-            const bool none = observer.depth[a] == background;
-            sum += low_pass_weight(dx, dy) * (none ? self : mask[a]);
-        }
-    }
-    return static_cast<std::uint8_t>(sum / 16);
+#define UMBRA78_LOW_PASS_FORM(set, name) \
+    {name, set::supported, set::read_form, set::across_form, set::down_form},
+constexpr LowPassForm low_pass_table[] = {UMBRA78_LANE_SETS(UMBRA78_LOW_PASS_FORM)};
+#undef UMBRA78_LOW_PASS_FORM
+
+const LowPassForm& fastest_low_pass() {
+    const LowPassForm* best = low_pass_table;
+    for (const LowPassForm& form : low_pass_table)
+        if (form.supported()) best = &form;
+    return *best;
 }
 
-// The same inside the border, a scan line at once, with selections for branches. `mask` and
-// `depth` point to the line's first pixel, `stride` away from those above and below.
 template <class Depth>
-void inner_row(const std::uint8_t* mask, const Depth* depth, int stride, Depth background,
-               std::uint8_t* out) {
-    for (int x = 1; x < stride - 1; ++x) {
-        const std::uint16_t self = mask[x];
-        const auto at = [&](int a) -> std::uint16_t {
-            return depth[a] == background ? self : std::uint16_t{mask[a]};
-        };
-        const int above = x - stride, below = x + stride;
-        const auto sum = static_cast<std::uint16_t>(
-            8 + at(above - 1) + 2 * at(above) + at(above + 1) + 2 * at(x - 1) + 4 * self +
-            2 * at(x + 1) + at(below - 1) + 2 * at(below) + at(below + 1));
-        out[x] = static_cast<std::uint8_t>(depth[x] == background ? 0 : sum >> 4);
+class Strips {
+public:
+    Strips(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
+           Depth background, const LowPassForm& form, int from, int count)
+        : mask_(mask), observer_(observer), background_(background), form_(form), from_(from),
+          count_(count) {}
+
+    // Line y of the result.
+    void filter(int y, std::uint8_t* out) {
+        LowPassStrip &above = at(y - 1), &here = at(y), &below = at(y + 1);
+        if (!above.dark && !here.dark && !below.dark) {
+            std::fill_n(out, count_, std::uint8_t{0});
+            return;
+        }
+        for (LowPassStrip* strip : {&above, &here, &below}) add_up(*strip);
+        form_.down(above, here, below, count_, out);
     }
-}
+
+private:
+    // The strip of line y, which may be one beyond the frame.
+     LowPassStrip& at(int y) {
+        const auto k = static_cast<std::size_t>((y + 3) % 3);
+        if (held_[k] != y) {
+            summed_[k] = false;
+            strip_[k].dark = fill(y, strip_[k]);
+        }
+        held_[k] = y;
+        return strip_[k];
+    }
+    void add_up(LowPassStrip& strip) {
+        bool& summed = summed_[static_cast<std::size_t>(&strip - strip_.data())];
+        if (!summed) form_.across(strip, count_);
+        summed = true;
+    }
+
+    bool fill(int y, LowPassStrip& strip) const {
+        const int size = observer_.size_px(), width = count_ + 2;
+        if (y < 0 || y >= size) {
+            std::fill_n(strip.missing, width, std::uint8_t{1});
+            std::fill_n(strip.self, width, std::uint8_t{0});
+            return false;
+        }
+        const std::size_t a = observer_.address(from_, y);
+        const Depth* depth = observer_.depth.data() + a;
+        const std::uint8_t* mask = mask_.data() + a;
+        bool dark = read(depth, mask, count_, strip.missing + 1, strip.self + 1);
+        for (const int x : {-1, count_}) {
+            strip.missing[x + 1] = 1;
+            strip.self[x + 1] = 0;
+            if (from_ + x >= 0 && from_ + x < size)
+                dark = read_each(depth + x, mask + x, 1, strip.missing + x + 1,
+                                 strip.self + x + 1) || dark;
+        }
+        return dark;
+    }
+    bool read(const Depth* depth, const std::uint8_t* mask, int count, std::uint8_t* missing,
+              std::uint8_t* self) const {
+        if constexpr (sizeof(Depth) == sizeof(hw::Depth16))
+            return form_.read(depth, mask, background_, count, missing, self);
+        return read_each(depth, mask, count, missing, self);
+    }
+    bool read_each(const Depth* depth, const std::uint8_t* mask, int count,
+                   std::uint8_t* missing, std::uint8_t* self) const {
+        bool dark = false;
+        for (int x = 0; x < count; ++x) {
+            const bool none = depth[x] == background_;
+            missing[x] = none ? 1 : 0;
+            self[x] = none ? std::uint8_t{0} : mask[x];
+            dark = dark || self[x] != 0;
+        }
+        return dark;
+    }
+
+    std::span<const std::uint8_t> mask_;
+    const hw::ReadOnlyStore<Depth>& observer_;
+    Depth background_;
+    const LowPassForm& form_;
+    int from_, count_;
+    std::array<LowPassStrip, 3> strip_;
+    std::array<int, 3> held_{-2, -2, -2};  // none
+    std::array<bool, 3> summed_{};
+};
 
 }  // namespace
 
+std::span<const LowPassForm> low_pass_forms() { return low_pass_table; }
+
 template <class Depth>
 void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
-              Depth background, std::span<std::uint8_t> out, const LineSet& lines) {
+              Depth background, std::span<std::uint8_t> out, const LineSet& lines,
+              const LowPassForm& form) {
     check_filter(mask, observer, out, lines);
     const auto from = reinterpret_cast<std::uintptr_t>(mask.data());
     const auto to = reinterpret_cast<std::uintptr_t>(out.data());
     fixed::require(from + mask.size() <= to || to + out.size() <= from,
                    "low-pass: the mask and the result overlap");
-    const int size = observer.size_px(), last = size - 1;
-    for (int y = 0; y < size; ++y) {
-        if (!lines.has(y)) continue;
-        const std::size_t row = observer.address(0, y);
-        const bool border = y == 0 || y == last;
-        if (!border)
-            inner_row(mask.data() + row, observer.depth.data() + row, size, background,
-                      out.data() + row);
-        for (int x = 0; x < size; x += border ? 1 : last)
-            out[observer.address(x, y)] = pixel(mask, observer, background, x, y);
+    const int size = observer.size_px(), count = std::min(size, LowPassStrip::most);
+    for (int x = 0; x < size; x += count) {
+        Strips<Depth> strips(mask, observer, background, form, x, count);
+        for (int y = 0; y < size; ++y)
+            if (lines.has(y))
+                strips.filter(y, out.data() + observer.address(x, y));
     }
 }
 
-template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<hw::Depth16>&,
-                       hw::Depth16, std::span<std::uint8_t>, const LineSet&);
-template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<hw::Depth32>&,
-                       hw::Depth32, std::span<std::uint8_t>, const LineSet&);
+template <class Depth>
+void low_pass(std::span<const std::uint8_t> mask, const hw::ReadOnlyStore<Depth>& observer,
+              Depth background, std::span<std::uint8_t> out, const LineSet& lines) {
+    low_pass<Depth>(mask, observer, background, out, lines, fastest_low_pass());
+}
+
+#define UMBRA78_LOW_PASS(Depth)                                                              \
+    template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<Depth>&,   \
+                           Depth, std::span<std::uint8_t>, const LineSet&);                  \
+    template void low_pass(std::span<const std::uint8_t>, const hw::ReadOnlyStore<Depth>&,   \
+                           Depth, std::span<std::uint8_t>, const LineSet&, const LowPassForm&);
+UMBRA78_LOW_PASS(hw::Depth16)
+UMBRA78_LOW_PASS(hw::Depth32)
+#undef UMBRA78_LOW_PASS
 
 }  // namespace umbra78::shadow

@@ -1,7 +1,7 @@
 // A frame's buffers, carved from one piece of the caller's memory, and what a frame counts.
 //
 // Every plane has size_px^2 words, row by row from the top. A frame of 512 x 512 pixels with
-// 16-bit Z, one light and the 128 patches of the figures takes 3 363 584 bytes; each further light
+// 16-bit Z, one light and the 128 patches of the figures takes 3 380 736 bytes; each further light
 // of its own 1 572 864 more (a map, a mask, two filtered masks, a direct share), and so do normals.
 #pragma once
 

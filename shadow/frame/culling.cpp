@@ -50,6 +50,13 @@ public:
                (outcome != raster::FacetWalk::Outcome::outside && walk_.footprint(footprint));
     }
 
+    // Whether all of the mesh is seen: its vertices are fewer than its facets' corners.
+    bool sees_all(const raster::Mesh& mesh) {
+        for (std::uint32_t k = 0; k < mesh.vertices.size(); ++k)
+            if (!walk_.in_cube(k)) return false;
+        return true;
+    }
+
 private:
     Footprint all_;
     raster::FacetWalk walk_;
@@ -173,9 +180,16 @@ Reach cull(const FrameInputs& in, std::size_t light) {
               PatchView(in, in.matrices.world_to_observer),
               has_map ? Scene::no_ground : in.scene.ground);
     if constexpr (hw::built(hw::Feature::triangles)) {
-        if (!in.scene.mesh.facets.empty())
-            count_all(in.scene.mesh.facets, FacetView(in, m.world_to_light),
-                      FacetView(in, in.matrices.world_to_observer), Scene::no_ground);
+        const raster::Mesh& mesh = in.scene.mesh;
+        FacetView light_view(in, m.world_to_light);
+        FacetView observer_view(in, in.matrices.world_to_observer);
+        if (light_view.sees_all(mesh) && observer_view.sees_all(mesh)) {
+            Footprint footprint{};
+            for (std::size_t k = 0; k < mesh.facets.size() && !reach.into_light; ++k)
+                count(true, observer_view.seen(mesh.facets[k], footprint), footprint);
+        } else {
+            count_all(mesh.facets, light_view, observer_view, Scene::no_ground);
+        }
     }
     return reach;
 }

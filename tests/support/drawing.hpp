@@ -105,6 +105,7 @@ public:
         setup.dice_tolerance = dice_tolerance;
         setup.facing = facing;
         setup.casters = casters;
+        setup.blocks = blocks;
         setup.shading.ambient_q8 = ambient_q8;
         setup.shading.viewer = raster::toward_eye(view, object);
         if (light != nullptr) setup.shading.sources[0].toward = raster::toward_eye(*light, object);
@@ -125,6 +126,7 @@ public:
     std::int64_t dice_tolerance = 0;
     raster::Facing facing = raster::Facing::both;
     raster::Casters casters{};
+    const raster::BlockForm* blocks = nullptr;  // the fastest
 
 private:
     std::size_t pixels() const { return std::size_t{1} << (2 * spec_.xy_bits); }

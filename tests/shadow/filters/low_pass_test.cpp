@@ -1,6 +1,8 @@
 // The low-pass: its impulse response, its borders, and every pixel against a slow model.
 #include "shadow/filters/low_pass.hpp"
 
+#include "shadow/filters/low_pass_form.hpp"
+
 #include "tests/shadow/random_frames.hpp"
 #include "tests/support/buffers.hpp"
 
@@ -93,10 +95,11 @@ TEST(LowPass, BeyondTheFrameAndBackgroundIsThePixelItself) {
     for (const std::uint8_t v : p.out) EXPECT_EQ(v, 0);
 }
 
+// By every form that this machine has; a wide frame takes several strips.
 TEST(LowPass, IsTheSlowModel) {
     Random random;
     for (int round = 0; round < 40; ++round) {
-        FilteredPicture p(4 + round % 3);
+        FilteredPicture p(round == 39 ? 10 : 4 + round % 3);
         const std::uint64_t holes = random.bits() % 4;
         for (std::size_t a = 0; a < p.mask.size(); ++a) {
             p.mask[a] = random.bits() % 2 == 0 ? static_cast<std::uint8_t>(random.bits())
@@ -104,11 +107,39 @@ TEST(LowPass, IsTheSlowModel) {
                                                                      std::uint8_t{255}});
             p.observer.depth[a] = random.bits() % 8 < holes ? empty : hw::Depth16{65534};
         }
-        p.filter();
         std::vector<std::uint8_t> expected;
         for (int y = 0; y < p.size; ++y)
             for (int x = 0; x < p.size; ++x) expected.push_back(slow_pixel(p, x, y));
-        umbra78::test::expect_equal_buffers("low_pass", p.size, expected, p.out);
+        for (const LowPassForm& form : low_pass_forms()) {
+            if (!form.supported()) continue;
+            SCOPED_TRACE(form.name);
+            std::fill(p.out.begin(), p.out.end(), std::uint8_t{99});
+            low_pass<hw::Depth16>(p.mask, p.observer.store, empty, p.out,
+                                  LineSet::all(p.size), form);
+            umbra78::test::expect_equal_buffers("low_pass", p.size, expected, p.out);
+        }
+    }
+}
+
+// Lines that are left out, in any pattern, do not upset the others.
+TEST(LowPass, OfSomeLinesIsThatOfAll) {
+    Random random;
+    FilteredPicture p(5);
+    for (std::size_t a = 0; a < p.mask.size(); ++a) {
+        p.mask[a] = static_cast<std::uint8_t>(random.bits());
+        p.observer.depth[a] = random.bits() % 4 == 0 ? empty : hw::Depth16{1};
+    }
+    p.filter();
+    const std::vector<std::uint8_t> all = p.out;
+    for (int round = 0; round < 100; ++round) {
+        LineSet lines(p.size);
+        for (int y = 0; y < p.size; ++y)
+            if (random.bits() % 2 == 0) lines.add(y);
+        std::fill(p.out.begin(), p.out.end(), std::uint8_t{99});
+        low_pass<hw::Depth16>(p.mask, p.observer.store, empty, p.out, lines);
+        for (int y = 0; y < p.size; ++y)
+            for (int x = 0; x < p.size; ++x)
+                ASSERT_EQ(p.out[p.at(x, y)], lines.has(y) ? all[p.at(x, y)] : 99);
     }
 }
 

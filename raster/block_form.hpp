@@ -1,0 +1,90 @@
+// The forms of a block's work: one meaning, once for each instruction set.
+//
+//   expand    the corners of its 16 x 16 leaves                         leaf_grid.hpp
+//   centres   its samples at the pixels' centres                        sampling.hpp
+//   leaves    its samples at the leaves' centres                        sampling.hpp
+//   shade     the levels of its leaves                                  shading.hpp
+//
+// The headers named on the right are the definitions. The forms are one text, block_body.hpp, of
+// loops over 16 leaves that the compiler makes vectors of, once for each of fixed/lane_sets.hpp. The
+// program asks the processor once a drawing and takes the last form that it has. Tests run every
+// form that the machine has and compare it bit for bit with the definitions.
+//
+// centres and leaves step back where a word may not fit their lanes: they return false, and the
+// definition does the block. shade() is asked only for what BlockShading::job covers.
+#pragma once
+
+#include "raster/sampling.hpp"
+#include "raster/shading.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace umbra78::raster {
+
+// A sample as a block's list has it. The leaf's number is 16 j + i.
+struct BlockSample {
+    std::int32_t x, y, z;
+    std::uint8_t leaf;
+    bool second;
+};
+
+struct BlockSamples {
+    static constexpr std::size_t most = 2 * leaves * leaves + 1;  // one place is written in vain
+    std::size_t count;
+    std::uint64_t tested;  // centres
+    std::array<BlockSample, most> sample;
+};
+
+// What the lanes need to shade the leaves of a block. Plain words only.
+struct ShadeSource {
+    std::int32_t toward[3];
+    std::int32_t halfway[3];  // Blinn's
+    std::int32_t l_dot_v;
+    std::int32_t level_q8[max_channels];
+};
+struct ShadeJob {
+    std::int32_t normal[4][3];  // at the block's corners
+    std::int32_t viewer[3];
+    std::size_t sources, channels;
+    ShadeSource source[max_sources];
+    std::int32_t ambient_q8;
+    std::int32_t diffuse[max_channels], specular[max_channels];
+    int squares;                  // of the highlight
+    bool highlights, by_halfway;  // whether there is one; by the halfway direction
+};
+
+// The levels of a block's leaves: for each channel its intensity and its direct shares.
+struct LeafLevels {
+    static constexpr std::size_t planes = max_channels * (1 + max_sources);
+    std::uint8_t level[planes][leaves * leaves];
+
+    Shades of(std::size_t leaf, std::size_t channels, std::size_t sources) const {
+        Shades shades{};
+        for (std::size_t c = 0; c < channels; ++c) {
+            const auto* plane = level + c * (1 + sources);
+            shades[c].intensity = plane[0][leaf];
+            for (std::size_t l = 0; l < sources; ++l) shades[c].direct[l] = plane[1 + l][leaf];
+        }
+        return shades;
+    }
+};
+
+struct BlockForm {
+    std::string_view name;
+    bool (*supported)();  // by this processor
+    void (*expand)(const std::array<Component, 3>& block, Corners& grid);
+    bool (*centres)(const Corners& grid, std::int32_t half_px, BlockSamples& out);
+    bool (*leaves)(const Corners& grid, std::int32_t half_px, BlockSamples& out);
+    // Of `count` leaves, by their numbers; there is room for 15 more numbers behind them.
+    void (*shade)(const ShadeJob& job, std::uint8_t* numbers, std::size_t count, LeafLevels& out);
+};
+
+// All that are compiled in, `plain` first, the fastest last.
+std::span<const BlockForm> block_forms();
+// The last one that is supported.
+const BlockForm& fastest_block_form();
+
+}  // namespace umbra78::raster

@@ -1,0 +1,25 @@
+// The table of a block's forms: block_body.hpp and shade_body.hpp by instruction sets.
+#include "raster/block_form.hpp"
+
+namespace umbra78::raster {
+
+#define UMBRA78_LANES_TEXT "raster/block_body.hpp"
+#include "fixed/lane_sets.hpp"
+
+namespace {
+#define UMBRA78_BLOCK_FORM(set, name)                                           \
+    {name, set::supported, set::expand_form, set::centres_form, set::leaves_form, set::shade_form},
+constexpr BlockForm block_table[] = {UMBRA78_LANE_SETS(UMBRA78_BLOCK_FORM)};
+#undef UMBRA78_BLOCK_FORM
+}  // namespace
+
+std::span<const BlockForm> block_forms() { return block_table; }
+
+const BlockForm& fastest_block_form() {
+    const BlockForm* best = block_table;
+    for (const BlockForm& form : block_table)
+        if (form.supported()) best = &form;
+    return *best;
+}
+
+}  // namespace umbra78::raster
