@@ -127,8 +127,8 @@ std::uint64_t count(const umbra78_frame& frame, const shadow::FrameBuffers<Depth
     const shadow::FrameInputs& in = frame.scene->inputs;
     shadow::FrameLedger* const all = frame.ledgers;
     for (std::size_t l = 0; l < in.scene.light_count; ++l)
-        new (all + l) shadow::FrameLedger(
-            shadow::frame_ledger(in, planes, frame.counts, l, l == 0 ? nullptr : all));
+        new (all + l) shadow::FrameLedger(shadow::frame_ledger(
+            in, planes, frame.counts, l, {.observer = l == 0 ? nullptr : all}));
     return shadow::total({all, in.scene.light_count}, true);
 }
 
