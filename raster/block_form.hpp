@@ -6,9 +6,9 @@
 //   shade     the levels of its leaves                                  shading.hpp
 //
 // The headers named on the right are the definitions. The forms are one text, block_body.hpp, of
-// loops over 16 leaves that the compiler makes vectors of, once for each of fixed/lane_sets.hpp. The
-// program asks the processor once a drawing and takes the last form that it has. Tests run every
-// form that the machine has and compare it bit for bit with the definitions.
+// loops over 16 leaves that the compiler makes vectors of, once for each of fixed/lane_sets.hpp.
+// The program asks the processor once a drawing and takes the last form that it has. Tests run
+// every form that the machine has and compare it bit for bit with the definitions.
 //
 // centres and leaves step back where a word may not fit their lanes: they return false, and the
 // definition does the block. shade() is asked only for what BlockShading::job covers.

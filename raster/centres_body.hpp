@@ -199,11 +199,12 @@ static inline void find_depths(const Covered& t, Depths& __restrict d) {
         const std::int32_t lowest = least(least(t.az[k], t.bz[k]), t.cz[k]);
         const std::int32_t highest = most(most(t.az[k], t.bz[k]), t.cz[k]);
         const auto share = [&](std::int32_t weight, std::int32_t z) {
-            return std::int64_t{weight} * wrapped(word(z) - word(lowest));
+            return static_cast<std::uint64_t>(std::int64_t{weight} *
+                                              wrapped(word(z) - word(lowest)));
         };
-        const std::int64_t rise =
-            share(t.of_a[k], t.az[k]) + share(t.of_b[k], t.bz[k]) + share(t.of_c[k], t.cz[k]);
-        const std::int64_t whole = share(t.area[k], highest);
+        const auto rise = static_cast<std::int64_t>(
+            share(t.of_a[k], t.az[k]) + share(t.of_b[k], t.bz[k]) + share(t.of_c[k], t.cz[k]));
+        const auto whole = static_cast<std::int64_t>(share(t.area[k], highest));
         const std::int64_t clamped = rise < 0 ? 0 : rise < whole ? rise : whole;
         d.lowest[k] = lowest;
         d.dividend[k] = 2 * static_cast<std::uint64_t>(clamped) + word(t.area[k]);

@@ -91,7 +91,8 @@ struct Emitter {
     DepthCoder coder{setup.spec};
 
     // `offset` moves the sample away, and not beyond the far plane; it is not negative.
-    bool code_of(std::int64_t z, std::int64_t offset, std::uint32_t& code) const {
+    [[gnu::always_inline]] bool code_of(std::int64_t z, std::int64_t offset,
+                                        std::uint32_t& code) const {
         if (!coder(z, code)) return false;
         if (offset > 0) code = coder.moved(z + offset);
         ++counts.samples;

@@ -197,7 +197,7 @@ public:
         : guard_(depth_guard(spec)), rounding_(spec.depth_rounding), offset_(spec.depth_offset()),
           background_(spec.background()) {}
 
-    constexpr bool operator()(std::int64_t z, std::uint32_t& code) const {
+    [[gnu::always_inline]] constexpr bool operator()(std::int64_t z, std::uint32_t& code) const {
         if (rounding_ != fixed::Rounding::half_up) [[unlikely]] return general(z, code);
         return of_rounded(half_up(z, guard_), code);
     }

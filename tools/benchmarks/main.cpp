@@ -11,6 +11,7 @@
 #include "shadow/frame/paper_figures.hpp"
 #include "shadow/row_form.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
+#include "tools/benchmarks/frames.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -326,6 +327,7 @@ int main(int argc, char** argv) {
     if (benchmark::ReportUnrecognizedArguments(count, args.data())) return 2;
     add_all();
     add_omissions();
+    tools::add_frames(names);
     const char* csv = std::getenv("UMBRA78_BENCH_CSV");  // set by tools/bench
     RatioReporter reporter(csv == nullptr ? "" : csv);
     benchmark::RunSpecifiedBenchmarks(&reporter);

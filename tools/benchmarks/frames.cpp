@@ -1,0 +1,139 @@
+#include "tools/benchmarks/frames.hpp"
+
+#include "shadow/filters/dequantize.hpp"
+#include "shadow/filters/low_pass.hpp"
+#include "shadow/frame/frame.hpp"
+#include "shadow/frame/paper_figures.hpp"
+#include "tools/benchmarks/float_frame.hpp"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+
+namespace umbra78::tools {
+namespace {
+
+using hw::Depth16;
+
+// A scene with its frame, drawn once.
+struct DrawnFrame {
+    shadow::Settings settings;
+    shadow::Scene scene;
+    std::vector<std::byte> memory;
+    shadow::FrameBuffers<Depth16> frame;
+    shadow::FrameMatrices matrices;
+    shadow::FrameCounts counts;
+    shadow::FramePlan plan;
+
+    DrawnFrame(const shadow::Settings& s, std::span<const raster::Patch> patches,
+               const raster::Mesh& mesh)
+        : settings(s), scene{patches,
+                             {&shadow::figure_material, 1},
+                             shadow::figure_view(0),
+                             {{shadow::figure_view(shadow::figure_azimuth_q16)}}},
+          memory(shadow::frame_bytes<Depth16>(s.machine, patches.size()) + 64) {
+        scene.mesh = mesh;
+        void* at = memory.data();
+        std::size_t space = memory.size();
+        auto* aligned = static_cast<std::byte*>(std::align(64, space - 64, at, space));
+        frame = shadow::carve<Depth16>({aligned, space}, s.machine, patches.size());
+        draw();
+        plan = shadow::make_plan(inputs());
+    }
+    shadow::FrameInputs inputs() const { return {scene, settings, matrices}; }
+    void draw() { shadow::render(scene, settings, frame, matrices, counts); }
+};
+
+template <class Make>
+auto& made(const std::string& key, Make&& make) {
+    using Made = decltype(make());
+    static std::map<std::string, Made> all;
+    const auto found = all.find(key);
+    return *(found != all.end() ? found->second : all.emplace(key, make()).first->second);
+}
+
+const SphereMesh& mesh_of(int rings) {
+    return made(fmt::format("{}", rings), [&] { return std::make_unique<SphereMesh>(rings); });
+}
+
+// What the float frame does: one side, no highlight, the bare test.
+DrawnFrame& triangles(int rings) {
+    return made(fmt::format("{}", rings), [&] {
+        shadow::Settings s = shadow::figure_settings(3);
+        s.facing = raster::Facing::front;
+        s.shading = raster::ShadingRule::lambert;
+        s.bias_q16 = 400 << 16;
+        return std::make_unique<DrawnFrame>(s, std::span<const raster::Patch>(),
+                                            mesh_of(rings).mesh());
+    });
+}
+
+DrawnFrame& figure6(raster::Sampling sampling) {
+    static const shadow::FigurePatches patches = shadow::figure_patches();
+    return made(sampling == raster::Sampling::leaf ? "leaf" : "centre", [&] {
+        shadow::Settings s = shadow::figure_settings(6);
+        s.sampling = sampling;
+        return std::make_unique<DrawnFrame>(s, patches, raster::Mesh{});
+    });
+}
+
+template <class Stage>
+void add(std::vector<std::string>& names, const std::string& name, Stage&& stage) {
+    names.push_back(name);
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+        for (auto _ : state) {
+            stage();
+            benchmark::ClobberMemory();
+        }
+    })->Unit(benchmark::kMillisecond);
+}
+
+void add_stages(std::vector<std::string>& names, const std::string& what,
+                DrawnFrame& (*made_of)(int), int value) {
+    add(names, what + ", light's view", [=] {
+        DrawnFrame& f = made_of(value);
+        shadow::draw_light(f.inputs(), f.plan, f.frame, f.counts);
+    });
+    add(names, what + ", observer's view", [=] {
+        DrawnFrame& f = made_of(value);
+        shadow::draw_observer(f.inputs(), f.plan, f.frame, f.counts);
+    });
+    add(names, what + ", whole frame", [=] { made_of(value).draw(); });
+}
+
+}  // namespace
+
+void add_frames(std::vector<std::string>& names) {
+    for (const int rings : {12, 44, 178}) {  // four spheres of 4 rings (rings - 1) triangles
+        const std::string what = fmt::format("{} triangles", 16 * rings * (rings - 1));
+        add(names, what + ", float frame", [=] {
+            made(fmt::format("{}", rings), [&] {
+                return std::make_unique<FloatFrame>(mesh_of(rings));
+            }).draw();
+        });
+        add_stages(names, what, triangles, rings);
+    }
+    const auto figure = [](int leaf) -> DrawnFrame& {
+        return figure6(leaf != 0 ? raster::Sampling::leaf : raster::Sampling::centre);
+    };
+    add_stages(names, "figure 6 by centres", figure, 0);
+    add_stages(names, "figure 6 by leaves", figure, 1);
+    add(names, "low-pass, one pass", [=] {
+        DrawnFrame& f = figure(0);
+        shadow::low_pass<Depth16>(f.frame.lights[0].joined, f.frame.observer,
+                                  static_cast<Depth16>(f.settings.machine.background()),
+                                  f.frame.picture_of(0));
+    });
+    add(names, "dequantizing, four passes", [=] {
+        DrawnFrame& f = figure(0);
+        shadow::dequantize<Depth16>(f.frame.lights[0].joined, f.frame.observer,
+                                    static_cast<Depth16>(f.settings.machine.background()), 4,
+                                    f.frame.edge_memory, f.frame.lights[0].edges);
+    });
+}
+
+}  // namespace umbra78::tools
