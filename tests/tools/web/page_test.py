@@ -166,6 +166,10 @@ def links(p):
     equal(fnv1a64(p.canvas("#stage-other")), goldens["mask3"].split(":")[-1],
           "the canvas on the left of the wipe")
     check("75%" in p.find("#stage-other").get_attribute("style"), "the wipe is not at a quarter")
+    p.js("delete document.documentElement.dataset.settled; location.hash += '&bias=64'")
+    p.settle()
+    check(p.rate("false_shadow") > 3, "an address that is edited is not followed: " +
+          p.text("gauge-false_shadow"))
     p.click("#drop-other")
     check("other" not in p.address(), "the comparison is still in " + p.address())
 
