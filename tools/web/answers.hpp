@@ -34,8 +34,8 @@ nlohmann::ordered_json around_json(const Session&, const std::string& plane, int
                                    int radius);
 
 // A picture of size x size pixels, four bytes each: a plane of the frame by its name, Z as grey;
-// "picture" and "intensity" of a coloured frame in colour; "error", the error map; "spectrum". Empty
-// if there is no such thing.
+// "picture" and "intensity" of a coloured frame in colour; "error", the error map; "spectrum".
+// Empty if there is no such thing.
 struct Picture {
     int size = 0;
     std::vector<std::uint8_t> rgba;

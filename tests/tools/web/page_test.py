@@ -144,7 +144,8 @@ def settings(p):
     equal(p.text("stage-golden"), "", "with another bias the mask is said to be a golden")
     units = [p.js("return arguments[0].value", each)
              for each in p.driver.find_elements("css selector", ".bias .unit input")]
-    equal([float(each) for each in units], [300, 300 / 128, 300 / 128 / 128],
+    equal([round(float(each), 8) for each in units],
+          [300, 300 / 128, round(300 / 128 / 128, 8)],
           "300 quanta in quanta, texels and world units")
     p.put(".bias .unit:nth-of-type(2) input", "0.5", "change")
     equal(p.text("stage-hash"), goldens["mask3"], "0.5 texel is figure 3's bias")
@@ -165,6 +166,10 @@ def links(p):
     equal(fnv1a64(p.canvas("#stage-other")), goldens["mask3"].split(":")[-1],
           "the canvas on the left of the wipe")
     check("75%" in p.find("#stage-other").get_attribute("style"), "the wipe is not at a quarter")
+    p.js("delete document.documentElement.dataset.settled; location.hash += '&bias=64'")
+    p.settle()
+    check(p.rate("false_shadow") > 3, "an address that is edited is not followed: " +
+          p.text("gauge-false_shadow"))
     p.click("#drop-other")
     check("other" not in p.address(), "the comparison is still in " + p.address())
 

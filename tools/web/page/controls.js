@@ -100,7 +100,9 @@ export class Controls {
       slider.max = Math.max(most, value);
       slider.value = value;
       fields.forEach((field, k) => {
-        field.value = known.quanta === undefined ? '' : short(known[units[k]], 11);
+        // The unit in use has the setting's own decimal; the others follow from the words.
+        field.value = known.quanta === undefined ? ''
+          : units[k] === unit ? value : short(known[units[k]], 8);
         field.classList.toggle('in-use', units[k] === unit);
       });
     };
@@ -108,7 +110,7 @@ export class Controls {
   }
 
   #setBias(unit, value) {
-    this.#change('bias_unit', unit, true);
+    if (unit !== this.#bias.unit) this.#change('bias_unit', unit, true);
     this.#change('bias', value);
   }
 

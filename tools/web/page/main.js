@@ -205,6 +205,17 @@ async function drawOther() {
   wipeTo(state.wipe);
 }
 
+// A state from an address.
+async function adopt(next) {
+  state = next;
+  if (!shown.some((view) => view.name === state.show)) state.show = firstState.show;
+  views.choose(state.show);
+  views.dropOther();
+  if (!state.pixel) forgetPixel();
+  if (state.other) await drawOther();
+  draw();
+}
+
 // --- the start
 
 function wire() {
@@ -225,7 +236,7 @@ function wire() {
     byId('copy-link').textContent = 'copied';
     setTimeout(() => { byId('copy-link').textContent = 'copy link'; }, 1200);
   };
-  window.onhashchange = () => { state = fromHash(location.hash); choose(state.show); draw(); };
+  window.onhashchange = () => adopt(fromHash(location.hash));
 }
 
 function listPresets() {
@@ -264,11 +275,7 @@ async function start() {
   wire();
   // Without a state in its address the page opens with the moire.
   if (location.hash === '') state = fromPreset(presets.find(({ golden }) => golden === 'mask3'));
-  if (!shown.some((view) => view.name === state.show)) state.show = firstState.show;
-  views.choose(state.show);
-  if (!state.pixel) forgetPixel();
-  if (state.other) await drawOther();
-  draw();
+  await adopt(state);
   document.documentElement.dataset.ready = 'yes';
 }
 
