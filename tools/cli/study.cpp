@@ -28,7 +28,8 @@ struct Options {
     std::vector<std::string> vary, parts;
     int jobs = 0;
     std::uint64_t sample = 8;
-    bool quick = false, automatic = false, only = false, no_host_times = false, replace = false, json = false;
+    bool quick = false, automatic = false, only = false, no_host_times = false;
+    bool replace = false, json = false;
 };
 
 // "i/n" with 1 <= i <= n. A number that an int does not hold is refused.

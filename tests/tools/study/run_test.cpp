@@ -172,8 +172,8 @@ TEST_F(Study, ATerminatedRunKeepsItsRowsAndGoesOn) {
     const std::string more = "study error-time --quick --vary bias_unit=texels --out a " +
                              std::string(umbra78::test::sanitized
                                              ? "--vary bias=1:4:1 --vary xy_bits=5 "
-                                             : "--vary bias=1:12:1 --vary xy_bits=7 ");
-    const Ran cut = run("study >/dev/null; timeout -s TERM 0.5 " UMBRA78_PROGRAM " " + more +
+                                             : "--vary bias=1:60:1 --vary xy_bits=7 ");
+    const Ran cut = run("study >/dev/null; timeout -s TERM 0.4 " UMBRA78_PROGRAM " " + more +
                         "--jobs 1");
     if (cut.exit_code == 0) GTEST_SKIP() << "the study was done before it could be stopped";
     EXPECT_NE(cut.err.find("run the same command again to go on"), std::string::npos) << cut.err;
