@@ -73,6 +73,7 @@ if cmake -S "$root" -B "$scratch/refused" -DUMBRA78_FEATURES=dicing >"$scratch/l
 fi
 
 cmake -S "$root" -B "$scratch/least" -DUMBRA78_FEATURES=none -DCMAKE_CXX_COMPILER="$CXX" \
+  -DUMBRA78_UNITY=ON \
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DUMBRA78_WERROR=ON \
   >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 cmake --build "$scratch/least" --target umbra78_figure3 >"$scratch/built" 2>&1 ||

@@ -1,4 +1,4 @@
-// What counted operations cost on the machine's units and on the AP-120B's, by hand.
+// What operations_counted operations cost on the machine's units and on the AP-120B's, by hand.
 #include "hw/operations.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 namespace umbra78::hw {
 namespace {
 
-constexpr Operations counted{1001, 500, 1002, 3, 75, 2000};  // adds, products, passes, ...
+// Adds, products, passes and so on.
+constexpr Operations operations_counted{1001, 500, 1002, 3, 75, 2000};
 
 MachineSpec with_multipliers(int n) {
     MachineSpec spec;
@@ -23,7 +24,7 @@ TEST(Operations, CyclesOfTheMachinesUnits) {
         std::uint64_t adders, passes;
     };
     for (const Case& c : {Case{1, 1001, 1002}, Case{4, 251, 251}, Case{16, 63, 63}}) {
-        const UnitCycles u = unit_cycles(counted, with_multipliers(c.multipliers));
+        const UnitCycles u = unit_cycles(operations_counted, with_multipliers(c.multipliers));
         EXPECT_EQ(u.adders, c.adders) << c.multipliers;
         EXPECT_EQ(u.multipliers, c.passes) << c.multipliers;
         EXPECT_EQ(u.divider, 75u);
@@ -38,7 +39,7 @@ TEST(Operations, CyclesOfTheMachinesUnits) {
 // A product is one operation whatever its passes; a quotient 23 cycles, an access 1 or 2.
 TEST(Operations, CyclesOfTheArrayProcessor) {
     for (const int memory : {1, 2}) {
-        const UnitCycles u = ap120b_cycles(counted, memory);
+        const UnitCycles u = ap120b_cycles(operations_counted, memory);
         EXPECT_EQ(u.adders, 1001u);
         EXPECT_EQ(u.multipliers, 500u);
         EXPECT_EQ(u.divider, 69u);

@@ -23,7 +23,7 @@ MachineSpec wide_coefficients() {
     return spec;
 }
 
-struct Case {
+struct PerspectiveCase {
     Sphere sphere;
     double distance, near, far;
 };
@@ -33,7 +33,7 @@ struct Case {
 // be, so an error in place is all the error there is.
 constexpr double margin = 0.1;
 
-class PerspectiveSphere : public testing::TestWithParam<Case> {};
+class PerspectiveSphere : public testing::TestWithParam<PerspectiveCase> {};
 
 TEST_P(PerspectiveSphere, HasTheRightOutlineAndDepth) {
     const auto& [sphere, distance, near, far] = GetParam();
@@ -89,11 +89,11 @@ TEST_P(PerspectiveSphere, HasTheRightOutlineAndDepth) {
 
 INSTANTIATE_TEST_SUITE_P(
     Distances, PerspectiveSphere,
-    testing::Values(Case{umbra78::test::sphere(0, 0, 0, 1), 5, 3, 8},
-                    Case{umbra78::test::sphere(0.3, 0.5, -0.2, 0.9), 2.5, 0.5, 5},
-                    Case{umbra78::test::sphere(0, 0, 0, 1.2), 1.8, 0.2, 200},
-                    Case{umbra78::test::sphere(-0.5, 0.4, 0.3, 0.25), 40, 30, 50},
-                    Case{umbra78::test::sphere(-3, -1, -9, 2.5), 6, 1, 30}));
+    testing::Values(PerspectiveCase{umbra78::test::sphere(0, 0, 0, 1), 5, 3, 8},
+                    PerspectiveCase{umbra78::test::sphere(0.3, 0.5, -0.2, 0.9), 2.5, 0.5, 5},
+                    PerspectiveCase{umbra78::test::sphere(0, 0, 0, 1.2), 1.8, 0.2, 200},
+                    PerspectiveCase{umbra78::test::sphere(-0.5, 0.4, 0.3, 0.25), 40, 30, 50},
+                    PerspectiveCase{umbra78::test::sphere(-3, -1, -9, 2.5), 6, 1, 30}));
 
 // Planes through and past the eye are cut at the near plane: in few blocks, without loss before it.
 TEST(Perspective, SurfacesThatReachBehindTheEyeAreDrawn) {

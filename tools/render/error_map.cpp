@@ -9,7 +9,7 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-constexpr Colour false_shadow{235, 50, 40}, false_light{70, 120, 255}, other_surface{255, 220, 0},
+constexpr Colour false_shadow_colour{235, 50, 40}, false_light_colour{70, 120, 255}, other_surface{255, 220, 0},
     exact_edge{70, 210, 90};
 
 bool on_edge(const Truth& truth, std::size_t at) {
@@ -35,8 +35,8 @@ std::vector<std::uint8_t> error_map(const SceneTruth& truth, const RenderJob& jo
     for (std::size_t at = 0; at < picture.size(); ++at) {
         const auto gray = static_cast<std::uint8_t>(picture[at] * 5 / 8);
         const Colour colour = covered[at] != Covered::right ? other_surface
-                              : error[at] > 0               ? false_shadow
-                              : error[at] < 0               ? false_light
+                              : error[at] > 0               ? false_shadow_colour
+                              : error[at] < 0               ? false_light_colour
                               : on_edge(truth.truth, at)    ? exact_edge
                                                             : Colour{gray, gray, gray};
         map.insert(map.end(), colour.begin(), colour.end());

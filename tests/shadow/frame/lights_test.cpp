@@ -31,18 +31,18 @@ std::vector<std::uint8_t> copy(std::span<const std::uint8_t> plane) {
     return {plane.begin(), plane.end()};
 }
 
-struct Drawn {
+struct DrawnLights {
     VariantScene made;
     Scene scene;
     Settings settings;
     Frame<> frame;
 
-    Drawn(const std::string& of, const std::string& observer, const std::string& lights,
+    DrawnLights(const std::string& of, const std::string& observer, const std::string& lights,
           const Settings& s)
         : made(of), scene(made.scene(observer, lights)), settings(s), frame(scene, s) {
         EXPECT_EQ(frame.status, FrameStatus::ok);
     }
-    explicit Drawn(const Scene& of, const Settings& s)
+    explicit DrawnLights(const Scene& of, const Settings& s)
         : made("spheres"), scene(of), settings(s), frame(scene, s) {
         EXPECT_EQ(frame.status, FrameStatus::ok);
     }
@@ -55,10 +55,10 @@ TEST(Lights, EachHasTheMapAndTheMasksOfAFrameInWhichItIsAlone) {
     Settings s = small();
     s.bias_q16 = 3 << 15;
     s.bias_unit = BiasUnit::texels;
-    const Drawn all("floor", "oblique", "left + lamp + sun + right", s);
+    const DrawnLights all("floor", "oblique", "left + lamp + sun + right", s);
     for (std::size_t l = 0; l < names.size(); ++l) {
         SCOPED_TRACE(names[l]);
-        const Drawn one("floor", "oblique", names[l], s);
+        const DrawnLights one("floor", "oblique", names[l], s);
         const auto &a = one.buffers().lights[0], &b = all.buffers().lights[l];
         expect_equal_buffers("observer_z", 64, one.buffers().observer.depth,
                              all.buffers().observer.depth);
@@ -73,7 +73,7 @@ TEST(Lights, EachHasTheMapAndTheMasksOfAFrameInWhichItIsAlone) {
 // the one it has alone; but where samples have one Z, another may have the smaller record.
 TEST(Lights, SharesAddUpToTheIntensity) {
     const Settings s = small();
-    const Drawn two("floor", "oblique", "lamp + sun", s), one("floor", "oblique", "lamp", s);
+    const DrawnLights two("floor", "oblique", "lamp + sun", s), one("floor", "oblique", "lamp", s);
     int both = 0, at_255 = 0, others = 0;
     for (std::size_t a = 0; a < two.buffers().pixels(); ++a) {
         if (two.buffers().observer.depth[a] == s.machine.background()) continue;
@@ -96,7 +96,7 @@ TEST(Lights, TwoHalvesAreOneWhole) {
     const Scene whole = made.scene("oblique", "lamp");
     Scene halves = made.scene("oblique", "lamp + lamp");
     halves.sources[0].level_q8 = halves.sources[1].level_q8 = 128;
-    const Drawn a(whole, s), b(halves, s);
+    const DrawnLights a(whole, s), b(halves, s);
     expect_equal_buffers("intensity", 64, a.buffers().observer.intensity,
                          b.buffers().observer.intensity);
     for (std::size_t p = 0; p < a.buffers().pixels(); ++p)
@@ -109,7 +109,7 @@ TEST(Lights, TheCompositeGoesThroughTheSourcesInOrder) {
     for (const Composite kind : {Composite::direct, Composite::whole}) {
         Settings s = small();
         s.composite = kind;
-        const Drawn d("floor", "oblique", "lamp + sun + dim", s);
+        const DrawnLights d("floor", "oblique", "lamp + sun + dim", s);
         for (std::size_t a = 0; a < d.buffers().pixels(); ++a) {
             std::uint8_t level = d.buffers().observer.intensity[a];
             for (std::size_t l = 0; l < 3; ++l)
@@ -131,7 +131,7 @@ std::size_t differing(std::span<const std::uint8_t> a, std::span<const std::uint
 // samples at one Z the record decides, red before the others: there they may be another sample's.
 TEST(Colour, EachChannelIsTheGreyFrameOfItsLevels) {
     const Settings s = small();
-    const Drawn d("floor", "oblique", "red + lamp", s);
+    const DrawnLights d("floor", "oblique", "red + lamp", s);
     ASSERT_EQ(d.scene.channels, 3u);
     for (std::size_t c = 0; c < 3; ++c) {
         Scene grey = d.scene;
@@ -141,7 +141,7 @@ TEST(Colour, EachChannelIsTheGreyFrameOfItsLevels) {
             {{m.diffuse[c], m.specular[c], m.shininess}}};
         grey.materials = levels;
         for (Source& source : grey.sources) source.level_q8 = source.level_q8[c];
-        const Drawn g(grey, s);
+        const DrawnLights g(grey, s);
         const std::size_t ties = c == 0 ? 0 : 12;  // of 4096 pixels
         EXPECT_LE(differing(g.buffers().observer.intensity, d.buffers().intensity(c)), ties) << c;
         for (std::size_t l = 0; l < 2; ++l)
@@ -156,7 +156,7 @@ TEST(Colour, EachChannelIsTheGreyFrameOfItsLevels) {
 
 TEST(Area, DarknessIsTheShareOfItsLightsInWhoseShadowAPixelIs) {
     const Settings s = small(4);
-    const Drawn d("floor", "oblique", "panel + left", s);
+    const DrawnLights d("floor", "oblique", "panel + left", s);
     ASSERT_EQ(d.scene.light_count, 5u);
     std::array<int, 5> seen{};
     for (std::size_t a = 0; a < d.buffers().pixels(); ++a) {
@@ -168,7 +168,7 @@ TEST(Area, DarknessIsTheShareOfItsLightsInWhoseShadowAPixelIs) {
     }
     for (const int n : seen) EXPECT_GT(n, 0);  // umbra, lit, and each step of the penumbra
     // The other source is what it is alone.
-    const Drawn left("floor", "oblique", "left", s);
+    const DrawnLights left("floor", "oblique", "left", s);
     expect_equal_buffers("mask", 64, left.buffers().lights[0].mask, d.buffers().lights[4].mask);
 }
 
@@ -176,7 +176,7 @@ TEST(Area, DarknessIsTheShareOfItsLightsInWhoseShadowAPixelIs) {
 TEST(Area, IsNotDequantized) {
     Settings s = small();
     ASSERT_GT(s.dequantize_passes, 0);
-    const Drawn d("floor", "oblique", "panel + left", s);
+    const DrawnLights d("floor", "oblique", "panel + left", s);
     expect_equal_buffers("edges", 64, d.buffers().lights[0].joined, d.buffers().lights[0].edges);
     EXPECT_NE(copy(d.buffers().lights[4].mask), copy(d.buffers().lights[4].edges));
     EXPECT_EQ(make_plan(d.inputs()).at(Omission::dequantize, 0).reason, Reason::graded);
@@ -194,7 +194,7 @@ TEST(Area, OfNoSizeIsAPoint) {
     Scene area = point;
     area.light_count = area.sources[0].lights = 9;
     std::ranges::fill(std::span(area.lights).first(9), point.lights[0]);
-    const Drawn a(point, s), b(area, s);
+    const DrawnLights a(point, s), b(area, s);
     expect_equal_buffers("darkness", 64, a.buffers().lights[0].mask, b.buffers().lights[0].joined);
     expect_equal_buffers("picture", 64, a.buffers().picture, b.buffers().picture);
 }
@@ -202,7 +202,7 @@ TEST(Area, OfNoSizeIsAPoint) {
 // A ramp is around the mask that the source has without it, and the plan leaves out the rest.
 TEST(CrowsRamp, IsTheDarknessOfItsSource) {
     const Settings s = small();
-    const Drawn hard("floor", "oblique", "left + bulb", s), soft("floor", "oblique",
+    const DrawnLights hard("floor", "oblique", "left + bulb", s), soft("floor", "oblique",
                                                                  "left ramp 5 + bulb ramp 3", s);
     for (const std::size_t l : {0u, 1u}) {
         const auto &a = hard.buffers().lights[l], &b = soft.buffers().lights[l];
@@ -246,7 +246,8 @@ TEST(CorrectForm, TestsEachLightByItself) {
     Settings s = small(4);
     s.form = Form::correct;
     s.machine.z_bits = 16;  // so that no two samples have one Z
-    const Drawn both("spheres", "front", "left + dim", s), left("spheres", "front", "left", s);
+    const DrawnLights both("spheres", "front", "left + dim", s);
+    const DrawnLights left("spheres", "front", "left", s);
     expect_equal_buffers("mask", 64, left.buffers().lights[0].mask, both.buffers().lights[0].mask);
     expect_equal_buffers("direct", 64, left.buffers().observer.direct, both.buffers().direct(0, 0));
     int in_one = 0, in_both = 0;
@@ -267,7 +268,7 @@ TEST(CorrectForm, TestsEachLightByItself) {
 // --- what a frame leaves out and keeps -----------------------------------------------------------
 
 // Every buffer of two frames that were drawn from one scene.
-void expect_all_equal(const Drawn& a, const FrameBuffers<hw::Depth16>& b, int size) {
+void expect_all_equal(const DrawnLights& a, const FrameBuffers<hw::Depth16>& b, int size) {
     test::expect_equal_frames(a.buffers(), b, umbra78::test::Constant::expected);
     for (std::size_t l = 1; l < a.scene.light_count; ++l) {
         expect_equal_buffers("light_z", size, a.buffers().lights[l].map.depth,
@@ -293,7 +294,7 @@ Scene with_idle_lights(const VariantScene& made) {
 TEST(LightsPlan, LeavesOutByLightAndChangesNoBit) {
     const Settings s = small();
     const VariantScene made("spheres");
-    const Drawn all(with_idle_lights(made), s);
+    const DrawnLights all(with_idle_lights(made), s);
     const FramePlan plan = make_plan(all.inputs());
     EXPECT_FALSE(plan.leaves_out(Omission::light_map, 0));
     EXPECT_TRUE(plan.leaves_out(Omission::light_map, 1));
@@ -309,7 +310,7 @@ TEST(LightsPlan, LeavesOutByLightAndChangesNoBit) {
 TEST(LightsPlan, AMapIsKeptWhileItsLightStandsStill) {
     const Settings s = small();
     const VariantScene made("floor");
-    Drawn frame(made.scene("front", "left + sun"), s);
+    DrawnLights frame(made.scene("front", "left + sun"), s);
     const FrameInputs before = frame.inputs();
     Scene moved = frame.scene;
     moved.lights[1].axes = raster::axes_from_angles(-60 << 16, 40 << 16);
@@ -324,14 +325,14 @@ TEST(LightsPlan, AMapIsKeptWhileItsLightStandsStill) {
     EXPECT_TRUE(plan.leaves_out(Omission::same_depth));
     EXPECT_FALSE(plan.leaves_out(Omission::same_observer));  // its shares have changed
     draw_frame(now, plan, frame.frame.buffers, frame.frame.counts);
-    const Drawn anew(moved, s);
+    const DrawnLights anew(moved, s);
     expect_all_equal(anew, frame.frame.buffers, 64);
 }
 
 TEST(LightsPlan, ALevelChangesTheShadingAlone) {
     const Settings s = small();
     const VariantScene made("floor");
-    Drawn frame(made.scene("front", "left + sun"), s);
+    DrawnLights frame(made.scene("front", "left + sun"), s);
     const FrameInputs before = frame.inputs();
     FrameInputs now = before;
     now.scene.sources[1].level_q8 = 200;
@@ -339,14 +340,14 @@ TEST(LightsPlan, ALevelChangesTheShadingAlone) {
     for (std::size_t l = 0; l < 2; ++l) EXPECT_TRUE(plan.leaves_out(Omission::same_mask, l));
     EXPECT_FALSE(plan.leaves_out(Omission::same_observer));
     draw_frame(now, plan, frame.frame.buffers, frame.frame.counts);
-    expect_all_equal(Drawn(now.scene, s), frame.frame.buffers, 64);
+    expect_all_equal(DrawnLights(now.scene, s), frame.frame.buffers, 64);
     now.scene.channels = 3;  // other planes: nothing is kept
     EXPECT_FALSE(make_plan(now, &before).leaves_out(Omission::same_mask, 0));
 }
 
 // --- what they cost ------------------------------------------------------------------------------
 
-std::vector<FrameLedger> ledgers(const Drawn& d) {
+std::vector<FrameLedger> ledgers(const DrawnLights& d) {
     std::vector<FrameLedger> all{frame_ledger(d.inputs(), d.buffers(), d.frame.counts)};
     for (std::size_t l = 1; l < d.scene.light_count; ++l)
         all.push_back(frame_ledger(d.inputs(), d.buffers(), d.frame.counts, l,
@@ -363,8 +364,8 @@ TEST(LightsLedger, IsLinearInTheLights) {
     std::uint64_t apart = 0, observer = 0;
     for (std::size_t n = 0; n < names.size(); ++n) {
         list += (n == 0 ? "" : " + ") + names[n];
-        const std::vector<FrameLedger> one = ledgers(Drawn("floor", "oblique", names[n], s));
-        const Drawn several("floor", "oblique", list, s);
+        const std::vector<FrameLedger> one = ledgers(DrawnLights("floor", "oblique", names[n], s));
+        const DrawnLights several("floor", "oblique", list, s);
         const std::vector<FrameLedger> all = ledgers(several);
         ASSERT_EQ(all.size(), n + 1);
         apart += one[0].total(false) - FrameLedger::cycles(one[0].observer, false);
@@ -378,7 +379,7 @@ TEST(LightsLedger, IsLinearInTheLights) {
 // A plan's costs are the sum over the lights, and the savings add up to what is left out.
 TEST(LightsLedger, SavingsAddUp) {
     for (const char* lights : {"left + sun + dim", "panel + left", "left ramp 7"}) {
-        const Drawn d("floor", "oblique", lights, small());
+        const DrawnLights d("floor", "oblique", lights, small());
         const FrameInputs in = d.inputs();
         const std::vector<FrameLedger> all = ledgers(d);
         const DrawnFrame drawn{in, all};
@@ -414,7 +415,7 @@ TEST(LightsDeathTest, BuffersOfAnotherShape) {
     const VariantScene made("spheres");
     const Settings s = small();
     Frame<> one(made.scene("front", "left"), s);
-    const Drawn two("spheres", "front", "left + sun", s);
+    const DrawnLights two("spheres", "front", "left + sun", s);
     EXPECT_DEATH(draw_frame(two.inputs(), FramePlan{}, one.buffers, one.counts),
                  "carved for other");
 }

@@ -29,7 +29,7 @@ PlannedScene scene_of(const Method& method) {
     return planned;
 }
 
-FrameLedger ledger_of(const PlannedFrame& f) {
+FrameLedger ledger_of_method(const PlannedFrame& f) {
     return frame_ledger(f.inputs, f.frame.buffers, f.frame.counts);
 }
 
@@ -148,7 +148,7 @@ TEST(Methods, LedgerAndCostsAskTheRow) {
         PlannedFrame f(planned);
         const FramePlan plan = make_plan(f.inputs);
         f.draw(plan);
-        const FrameLedger l = ledger_of(f);
+        const FrameLedger l = ledger_of_method(f);
         EXPECT_EQ(l.on_array, m.arithmetic == Arithmetic::ap120b);
         EXPECT_EQ(l.has_map, m.has_map());
         EXPECT_EQ(l.post_process.count > 0, m.arithmetic == Arithmetic::fixed && m.has_map());
@@ -287,7 +287,7 @@ TEST(ToyMethod, HasItsPlaceInLedgerAndCosts) {
     f.inputs.method = &method;
     const FramePlan plan = make_plan(f.inputs);
     f.draw(plan);
-    const FrameLedger l = ledger_of(f);
+    const FrameLedger l = ledger_of_method(f);
     EXPECT_EQ(l.test.units.store, 8 * l.visible);
     EXPECT_EQ(l.transformation(true), 8 * l.visible);
     EXPECT_EQ(l.transformation(false), 8 * l.visible + (l.visible + 3) / 4);
