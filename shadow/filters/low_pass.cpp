@@ -49,7 +49,7 @@ public:
 
 private:
     // The strip of line y, which may be one beyond the frame.
-     LowPassStrip& at(int y) {
+    LowPassStrip& at(int y) {
         const auto k = static_cast<std::size_t>((y + 3) % 3);
         if (held_[k] != y) {
             summed_[k] = false;
@@ -79,8 +79,8 @@ private:
             strip.missing[x + 1] = 1;
             strip.self[x + 1] = 0;
             if (from_ + x >= 0 && from_ + x < size)
-                dark = read_each(depth + x, mask + x, 1, strip.missing + x + 1,
-                                 strip.self + x + 1) || dark;
+                dark = read_each(depth + x, mask + x, 1, strip.missing + (x + 1),
+                                 strip.self + (x + 1)) || dark;
         }
         return dark;
     }

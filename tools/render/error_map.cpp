@@ -9,8 +9,8 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-constexpr Colour false_shadow_colour{235, 50, 40}, false_light_colour{70, 120, 255}, other_surface{255, 220, 0},
-    exact_edge{70, 210, 90};
+constexpr Colour false_shadow_colour{235, 50, 40}, false_light_colour{70, 120, 255},
+    other_surface{255, 220, 0}, exact_edge{70, 210, 90};
 
 bool on_edge(const Truth& truth, std::size_t at) {
     if (!truth.visible[at] || truth.lit[at]) return false;
