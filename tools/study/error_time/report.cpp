@@ -225,11 +225,14 @@ void report_error_time(const Request& request, std::span<const Row> rows, Report
         return;
     }
     to.heading("How it was measured");
-    to.paragraph("The cases are a grid of form, resolution, lookup, dither and filters, and the "
-                 "other settings one at a time with the scene's own values; the values of --vary "
-                 "replace a key's. Where the bias is not varied it is the scene's in texels: with "
-                 "fewer bits of X and Y it grows as the texels do, with fewer bits of Z it stays. "
-                 "A time on this computer is the median of a thread's own time on a processor, "
+    to.paragraph(request.only
+                     ? "The cases are the product of what --vary names; the rest is the scene's."
+                     : "The cases are a grid of form, resolution, lookup, dither and filters, and "
+                       "the other settings one at a time with the scene's own values; the values "
+                       "of --vary replace a key's. Where the bias is not varied it is the scene's "
+                       "in texels: with fewer bits of X and Y it grows as the texels do, with fewer "
+                       "bits of Z it stays.");
+    to.paragraph("A time on this computer is the median of a thread's own time on a processor, "
                  "while other cases run on the other cores.");
     to.paragraph("The edge band is one light texel, mapped back to the observer, on either side of "
                  "the true shadow's edge, and the filters' reach. It leaves out more pixels where "
