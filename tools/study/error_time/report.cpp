@@ -230,8 +230,8 @@ void report_error_time(const Request& request, std::span<const Row> rows, Report
                      : "The cases are a grid of form, resolution, lookup, dither and filters, and "
                        "the other settings one at a time with the scene's own values; the values "
                        "of --vary replace a key's. Where the bias is not varied it is the scene's "
-                       "in texels: with fewer bits of X and Y it grows as the texels do, with fewer "
-                       "bits of Z it stays.");
+                       "in texels: with fewer bits of X and Y it grows as the texels do, with "
+                       "fewer bits of Z it stays.");
     to.paragraph("A time on this computer is the median of a thread's own time on a processor, "
                  "while other cases run on the other cores.");
     to.paragraph("The edge band is one light texel, mapped back to the observer, on either side of "
