@@ -127,7 +127,8 @@ PictureBox FacetPicture::of_piece(const LightLines& lines, std::span<const LineI
     PictureBox box = nothing;
     for (std::size_t i = 0; i < piece.size(); ++i) {
         const LineId p = piece[i], q = piece[i + 1 < piece.size() ? i + 1 : 0];
-        widen(box, meeting_of(lines.line(p), lines.line(q), axes), is_direction_ ? word_fraction : quotient_fraction);
+        widen(box, meeting_of(lines.line(p), lines.line(q), axes),
+              is_direction_ ? word_fraction : quotient_fraction);
     }
     return box;
 }

@@ -9,8 +9,8 @@
 #     and deleted for signed ones.
 set -eu
 . "$(dirname "$0")/../support/core.sh"
-# It is the text that is read, so one compiler is enough; clang++ takes the poisoned names in its own
-# pragmas and in the lanes' header for uses.
+# It is the text that is read, so one compiler is enough; clang++ finds poisoned names in its own
+# pragmas and in the header of the lanes.
 case $("$CXX" --version) in
   *clang*) CXX=g++ && command -v g++ >/dev/null || skip "no g++, which reads the core's tokens" ;;
 esac
