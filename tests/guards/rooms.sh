@@ -88,7 +88,7 @@ done
 
 # Source files, scripts without an ending among them; not the data.
 sources_in() {
-  find "$@" -type f \( -name '*.?pp' -o -name '*.in' -o -name '*.sh' -o -name '*.py' \
+  find "$@" -type f \( -name '*.?pp' -o -name '*.[ch]' -o -name '*.in' -o -name '*.sh' -o -name '*.py' \
     -o -name '*.gp' -o -name '*.js' -o -name '*.css' -o -name '*.html' -o ! -name '*.*' \) | sort
 }
 short() {
