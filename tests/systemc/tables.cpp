@@ -1,5 +1,6 @@
-// Tables of rounding and overflow by SystemC (IEEE 1666), whose fixed-point types others use: every
-// word of 16 bits, taken as Q7.8, assigned to each of 13 formats in each rounding and overflow mode.
+// Tables of rounding and overflow by SystemC (IEEE 1666), whose fixed-point types others use:
+// every word of 16 bits, taken as Q7.8, assigned to each of 13 formats in each rounding and
+// overflow mode.
 //
 //   tables                prints a line for each: word length, integer bits, rounding, overflow and
 //                         the hash of the 65536 words that result
