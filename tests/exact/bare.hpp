@@ -40,7 +40,8 @@ inline void print_stack() {
     char text[32] = "stack ";
     std::size_t at = 6, digits = 1;
     for (std::size_t v = bytes; v >= 10; v /= 10) ++digits;
-    for (std::size_t k = digits; k > 0; bytes /= 10) text[at + --k] = static_cast<char>('0' + bytes % 10);
+    for (std::size_t k = digits; k > 0; bytes /= 10)
+        text[at + --k] = static_cast<char>('0' + bytes % 10);
     at += digits;
     text[at++] = '\n';
     port::write(text, at);

@@ -190,6 +190,7 @@ void draw_figures() {
         Buffer{"fig6", 512}.print("picture6", frame.picture);
         exact::port::show(frame.picture.data(), 512);
     }
+    if constexpr (!hw::built(hw::Feature::ap120b)) return;
     for (const int figure : {3, 4})
         if (draw("ap120b", scene, shadow::array_figure_settings(figure), frame))
             Buffer{"ap120b", 512}.print(figure == 3 ? "mask3_ap120b" : "mask4_ap120b",

@@ -2,11 +2,13 @@
 #include "tests/exact/port.hpp"
 
 extern "C" {
-[[clang::import_module("port"), clang::import_name("write")]] void port_write(const char*,
-                                                                             std::size_t);
-[[clang::import_module("port"), clang::import_name("show")]] void port_show(const std::uint8_t*,
-                                                                           int);
-[[clang::export_name("draw")]] int draw(int filler) { return umbra78_exact(filler, UMBRA78_EXACT_ONLY); }
+[[clang::import_module("port"), clang::import_name("write")]]
+void port_write(const char*, std::size_t);
+[[clang::import_module("port"), clang::import_name("show")]]
+void port_show(const std::uint8_t*, int);
+[[clang::export_name("draw")]] int draw(int filler) {
+    return umbra78_exact(filler, UMBRA78_EXACT_ONLY);
+}
 }
 
 namespace umbra78::exact::port {
