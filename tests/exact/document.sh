@@ -8,13 +8,15 @@ work=$(realpath "$1") commit=$2
 
 drawn=$scratch/rows missing=""
 : >"$drawn"
-while IFS='|' read -r number name compiler folder; do
+while read -r name; do
+  row=$(awk -F'|' -v name="$name" '$2 == name' "$work/rows")
+  folder=${row##*|}
   if grep -q '^drawn' "$folder/status" 2>/dev/null; then
-    echo "$number|$name|$compiler|$folder" >>"$drawn"
+    echo "$row" >>"$drawn"
   else
     missing="$missing${missing:+; }$name ($(cat "$folder/status" 2>/dev/null || echo not run))"
   fi
-done <"$work/rows"
+done < <(grep -v '^#' tests/exact/targets.txt | sed -E 's/ *\|.*//')
 [ -s "$drawn" ] || { echo "document.sh: nothing was drawn" >&2; exit 1; }
 date=$(date -u -r "$(tail -1 "$drawn" | cut -d'|' -f4)/status" +%Y-%m-%d)
 versions=$(for c in $(cut -d'|' -f3 "$drawn" | cut -d' ' -f1 | sort -u); do
@@ -32,8 +34,9 @@ not drawn (a processor without a multiplier is given the figures 1 to 6 alone). 
 target's memory holds another byte, so that no hash depends on it. Seconds are of processor time;
 those to run are of the emulator where there is one.
 
-$(wc -l <"$drawn") targets have drawn, $(cut -d' ' -f1 tests/exact/hashes.txt | uniq | wc -l) cases
-with $(wc -l <tests/exact/hashes.txt) buffers each.
+$(wc -l <"$drawn") targets of $(grep -vc '^#' tests/exact/targets.txt) have drawn; there are
+$(cut -d' ' -f1 tests/exact/hashes.txt | uniq | wc -l) cases with $(wc -l \
+    <tests/exact/hashes.txt) buffers.
 ${missing:+Not drawn: $missing.}
 END_OF_HEAD
 )
@@ -42,7 +45,7 @@ END_OF_HEAD
     -f tests/exact/report.awk "$drawn" || true
   cat <<'TEXT'
 
-RAM is what a frame of the largest case takes together with the program's variables and the
+The program holds the words of all its scenes. RAM is what a frame of the largest case takes together with the program's variables and the
 deepest stack. The data of a bare program are constant tables that hold addresses, which g++ 12
 takes for data that can be written (the guard `writable` looks at them). Instructions are counted
 by QEMU with `-icount`, on the Cortex-M3 in steps of 40.

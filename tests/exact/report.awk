@@ -82,6 +82,7 @@ function marks(from, to,   k, made) {
     list[n] = list[n] sprintf("%s{\"buffer\": \"%s\", \"is\": \"%s\", \"should_be\": \"%s\"}",
                               list[n] == "" ? "" : ", ", key, differing[key], expected[key])
   if (status[n] ~ /^failed/ || all ~ /X/ || canvas == "X") bad = 1
+  if (status[n] == "drawn" && all !~ /=/) { status[n] = "failed: it drew nothing"; bad = 1 }
   if (status[n] == "drawn" && all !~ /X/) drawn++
 }
 
@@ -101,6 +102,13 @@ function print_text(   k) {
            note(k)
   print "figures 1 to 8; then " legend()
   print "=: equal, X: different, .: not drawn; seconds of processor time to build and to run"
+  for (k = 1; k <= n; ++k)
+    if (status[k] ~ /^skipped/) {
+      why = status[k]
+      sub(/^skipped: /, "", why)
+      print "skipped: " name[k] ": " why
+    }
+  printf "%d of %d targets equal in all that they draw\n", drawn, n
 }
 function print_markdown(   k, sum, part, s) {
   print head
