@@ -8,10 +8,11 @@
 #include <iostream>
 
 #include "fixed/rounding.hpp"
+#include "tests/support/int128.hpp"
 
 namespace umbra78::fixed::test {
 
-__extension__ using Int128 = __int128;
+using umbra78::test::Int128;
 
 // Words at which carries, signs and widths change.
 inline constexpr std::array<std::int64_t, 35> boundary_words{

@@ -8,7 +8,7 @@
 namespace umbra78::fixed {
 namespace {
 
-__extension__ using UInt128 = unsigned __int128;
+using umbra78::test::UInt128;
 
 // The definition: r^2 <= v < (r + 1)^2.
 void expect_root(std::uint64_t v) {

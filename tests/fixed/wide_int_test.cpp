@@ -9,7 +9,7 @@ namespace umbra78::fixed {
 namespace {
 
 using test::Int128;
-using Wide2 = WideInt<2>;  // has the built-in 128-bit type as its model
+using Wide2 = WideInt<2>;  // has the tests' 128-bit type as its model
 using Wide4 = WideInt<4>;
 
 template <int Limbs>
@@ -28,13 +28,13 @@ Int128 word_128(test::Random& random) {
 void expect_same(Int128 a, Int128 b) {
     const Wide2 x = from_128<2>(a), y = from_128<2>(b);
     Int128 model = 0;
-    if (!__builtin_add_overflow(a, b, &model)) {
+    if (!umbra78::test::sum_overflows(a, b, model)) {
         ASSERT_EQ(x + y, from_128<2>(model));
     }
-    if (!__builtin_sub_overflow(a, b, &model)) {
+    if (!umbra78::test::difference_overflows(a, b, model)) {
         ASSERT_EQ(x - y, from_128<2>(model));
     }
-    if (!__builtin_mul_overflow(a, b, &model)) {
+    if (!umbra78::test::product_overflows(a, b, model)) {
         ASSERT_EQ(x * y, from_128<2>(model));
         ASSERT_EQ(full_product(x, y), WideInt<4>(x * y));
         if (y.fits_int64()) {

@@ -8,7 +8,7 @@
 namespace umbra78::fixed {
 namespace {
 
-__extension__ using UInt128 = unsigned __int128;
+using umbra78::test::UInt128;
 
 Word128 split(UInt128 v) {
     return {static_cast<std::uint64_t>(v >> 64), static_cast<std::uint64_t>(v)};

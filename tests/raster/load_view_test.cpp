@@ -1,6 +1,7 @@
 // Which views can be drawn: a raster word and all that is made of it stay within 64 bits, or the
 // view is refused.
 #include "tests/support/drawing.hpp"
+#include "tests/support/int128.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ Patch crumpled() {
 
 // The component once more in 128 bits, as far as its greatest correction: 9 D_j D_i p.
 bool corrections_fit(const Component& c, const std::array<std::int64_t, 16>& p) {
-    __extension__ using Wide = __int128;
+    using Wide = umbra78::test::Int128;
     Wide twice = 0;
     constexpr std::array<int, 3> d{1, -2, 1};
     for (std::size_t j = 0; j < 3; ++j)
