@@ -96,7 +96,8 @@ Curve worst_curve(Words& words, int i, int sign, int tries) {
 
 // A surface whose rows v = 0 and 1 are such curves, and their corrections curves of the other sign:
 // adding a number to a curve's ends changes no error of it, so four numbers are left to climb with.
-raster::Component with_curves(const Curve& f, const Curve& g, const std::array<std::int64_t, 4>& add) {
+raster::Component with_curves(const Curve& f, const Curve& g,
+                              const std::array<std::int64_t, 4>& add) {
     raster::Component s;
     for (std::size_t v = 0; v < 2; ++v) {
         for (std::size_t u = 0; u < 2; ++u) {
@@ -188,8 +189,8 @@ void vectors(Words& words) {
     }
 }
 
-// The highlight through shade(): a specular of 128 at level 128 and no diffuse leaves it times 2^14,
-// a level of it in 2^-8; so the squares are made here as there, and the level holds them equal.
+// The squares are made here as shading.cpp makes them; shade() of a surface with a highlight alone
+// holds them equal, as far as a level shows them.
 bool highlights() {
     std::vector<std::int64_t> square(16385);
     for (std::size_t h = 0; h <= 16384; ++h) square[h] = static_cast<std::int64_t>(h);

@@ -75,8 +75,8 @@ bool rows_hold() {
 
 using Key = std::tuple<int, int, std::int64_t, int, bool>;
 
-// Leaves whose four corners lie on a 5 x 5 lattice within a pixel: all 25^4 of them, 64 a block, and
-// what lies between them. Two places of the lattice: a centre on one of its points, and between.
+// Leaves whose four corners lie on a 5 x 5 lattice within a pixel: all 25^4 of them, 64 a block,
+// and what lies between them. Two lattices: a centre on one of its points, and between them.
 class LatticeBlocks {
 public:
     explicit LatticeBlocks(std::int32_t offset) : offset_(offset) {}
@@ -190,9 +190,8 @@ bool root_is_the_codes() {
         raster::ShadeJob job{};
         const std::int64_t toward[] = {words.word(31), words.word(31), words.word(31)};
         for (auto& corner : job.normal) {
-            const raster::UnitVector n = raster::unit_vector(
-                {toward[0] + words.number(-1 << 28, 1 << 28), toward[1] + words.number(-1 << 28, 1 << 28),
-                 toward[2] + words.number(-1 << 28, 1 << 28)});
+            const auto near = [&](int i) { return toward[i] + words.number(-1 << 28, 1 << 28); };
+            const raster::UnitVector n = raster::unit_vector({near(0), near(1), near(2)});
             for (std::size_t i = 0; i < 3; ++i) corner[i] = n[i];
         }
         std::uint8_t leaf[16];

@@ -28,6 +28,6 @@ int main(int count, char** words) {
     planted = count > 2 && std::strcmp(words[2], "weakened") == 0;
     for (const Program& p : programs)
         if (count > 1 && std::strcmp(words[1], p.name) == 0) return p.run() ? 0 : 1;
-    std::printf("umbra78_proofs: agree, exhaustive, forms or errors; see tests/proofs/run --help\n");
+    std::printf("umbra78_proofs: agree, exhaustive, forms or errors; see tests/proofs/run -h\n");
     return 2;
 }

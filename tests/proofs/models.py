@@ -1,4 +1,4 @@
-"""Turns the models of smt/*.smt2 and words.txt into C++, so that agree.cpp compares them with the code.
+"""Turns the models of smt/*.smt2 and words.txt into C++, which agree.cpp compares with the code.
 
     models.py FACTS OUT
 

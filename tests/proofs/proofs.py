@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Asks gappa, z3 and cvc5 for the proofs, runs the programs beside them, and writes tests/PROOFS.md.
+"""Asks gappa, z3 and cvc5 for the proofs, runs the programs beside them, writes tests/PROOFS.md.
 
     proofs.py --program umbra78_proofs --facts FILE [--weakened] [--table] [NAME ...]
 
 NAME is a file of smt/ or gappa/ without its ending, a stage of words.txt, or a program: agree,
-exhaustive, forms, errors. --weakened: each claim with its planted weakening must fail. A solver that
-is not installed is left out, with a line.
+exhaustive, forms, errors. --weakened: each claim with its planted weakening must fail. A solver
+that is not installed is left out, with a line.
 """
 import argparse
 import math

@@ -1,5 +1,5 @@
 # stage: affine_words_{e}
-# what: hw/matrix_rows, transform_unit: a row of rounded coefficients with exponent {e}, rounded once
+# what: hw/matrix_rows, transform_unit: a row of rounded words, exponent {e}, rounded once
 # each: e -4 .. 4
 # unit: LSB of X, 2^-7 pixel
 # bound: {57344 * 2.0 ** (e - 14) + 0.5}

@@ -1,5 +1,5 @@
 # stage: divide_first_{j}
-# what: hw/transform_unit, divide_order = round_first: X and W rounded, then the quotient; W in octave {j}
+# what: hw/transform_unit, round_first: X, W, then X / W rounded; W in octave {j}
 # each: j 7 .. 20
 # unit: LSB of X, 2^-7 pixel
 # bound: {0.5 + (64 + 2 ** 15) / (2 ** j + 0.5)}

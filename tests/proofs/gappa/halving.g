@@ -3,7 +3,7 @@
 # each: k 1 .. 8
 # unit: raster unit
 # bound: {max(leaf(k)[1], -leaf(k)[0])}
-# why: the bound takes the worst of each chain of roundings at once; a curve has four words for all of them
+# why: the bound takes the worst of all roundings at once; a curve has four words for them
 # Of a midpoint's ends one was made by the halving before, the other earlier. Half up of a half
 # raises by a half or not at all (words.txt, halve_32).
 F = mid;

@@ -2,7 +2,7 @@
 # what: raster/shading, highlight: square {k} of a cosine of 14 bits, rounded half up
 # each: k 1 .. 9
 # unit: 2^-14
-# why: all 16385 cosines were tried: what was found is the exact bound; near 1, where squares double an error, squares round by less
+# why: all 16385 cosines were tried: what was found is the exact bound; near 1 squares round less
 # bound: {squares(k)}
 @half_up = fixed<0,nu>;
 H1 = half_up(H * H * 1b-14);

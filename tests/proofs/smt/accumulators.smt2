@@ -1,7 +1,7 @@
-; hw/machine_spec.hpp and hw/transform_unit.hpp: for every MachineSpec that check() accepts and every
-; matrix that load_matrix() accepts no accumulator, short ones included, and no result leaves 64
-; bits, and the divider's shift stays within its 62 places. w and c are the bits of a word and of a
-; coefficient. The bounds of words and products are powers of two, written as shifts of 80 bits.
+; hw/machine_spec.hpp and hw/transform_unit.hpp: for every MachineSpec that check() accepts and
+; every matrix that load_matrix() accepts no accumulator, short ones included, and no result leaves
+; 64 bits, and the divider's shift stays within its 62 places. w and c are the bits of a word and
+; of a coefficient. Bounds of words and products are powers of two: shifts of 80 bits.
 (set-logic QF_BV)
 ; compare: input_fraction spec_word_bits accumulator_bits dropped_bits
 (define-fun input_fraction ((xy (_ BitVec 80)) (z (_ BitVec 80))) (_ BitVec 80)
@@ -32,7 +32,7 @@
 (define-fun w () (_ BitVec 80) (spec_word_bits xy z))
 (define-fun bits () (_ BitVec 80) (accumulator_bits xy z c))
 (define-fun dropped () (_ BitVec 80) (dropped_bits xy z c most))
-; A product's greatest magnitude, that of two lowest words; cut to what is left of an accumulator, up.
+; A product's greatest magnitude, that of two lowest words; cut to an accumulator's bits, up.
 (define-fun product () (_ BitVec 80) (power (bvsub (bvadd w c) (_ bv2 80))))
 (define-fun cut_product () (_ BitVec 80)
   (bvshl (bvlshr (bvadd product (bvsub (power dropped) (_ bv1 80))) dropped) dropped))
@@ -64,8 +64,8 @@
                   (bvsle dropped (_ bv62 80)))))
 (check-sat)
 (pop)
-; claim: an affine result of the shadow test has at most 62 bits: |acc| <= 2^(w + c), shifted right by
-; c - 2 + fraction - out - exponent
+; claim: an affine result of the shadow test has at most 62 bits: |acc| <= 2^(w + c), shifted right
+; by c - 2 + fraction - out - exponent
 ; weaken: (_ bv62 80) => (_ bv56 80)
 (push)
 (declare-const exponent (_ BitVec 80))

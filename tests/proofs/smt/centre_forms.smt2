@@ -1,5 +1,5 @@
-; raster/centres_body.hpp against triangle_depth of raster/sampling.hpp: the weights of both triangles
-; of a leaf by offsets from its corner 00, and the depth over the lowest corner.
+; raster/centres_body.hpp against triangle_depth of raster/sampling.hpp: the weights of both
+; triangles of a leaf by offsets from its corner 00, and the depth over the lowest corner.
 (set-logic ALL)
 ; compare: edge first_area first_b first_c second_area second_b second_c
 (define-fun edge ((px Int) (py Int) (qx Int) (qy Int) (rx Int) (ry Int)) Int
@@ -43,8 +43,8 @@
 (check-sat)
 (pop)
 ; claim: the depth: half_up of the rise over the lowest corner, clamped before the division to 0 ..
-; area (highest - lowest), is half_up first and clamped to 0 .. highest - lowest after. n is highest -
-; lowest and N its product with the area; q, Q and p, P are quotients and theirs.
+; area (highest - lowest), is half_up first and clamped to 0 .. highest - lowest after. n is highest
+; - lowest and N its product with the area; q, Q and p, P are quotients and theirs.
 ; weaken: (ite (< rise 0) 0 => (ite (< rise 5) 0
 (push)
 (declare-const area Int)

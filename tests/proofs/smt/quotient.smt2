@@ -60,7 +60,8 @@
 (declare-const den Int)
 (declare-const t Int)
 (declare-const left Int)
-(assert (and (not (= den 0)) (< (absolute left) (absolute den)) (<= (absolute left) (absolute num))))
+(assert (and (not (= den 0)) (< (absolute left) (absolute den))))
+(assert (<= (absolute left) (absolute num)))
 (assert (=> (> left 0) (> num 0)))
 (assert (=> (< left 0) (< num 0)))
 ; t is rounded toward zero: it has the sign of num / den, or is 0 and then left = num.

@@ -18,8 +18,8 @@
 (assert (and (bvuge s #x0000000000000006) (bvule s #x000000000000001c)))
 (define-fun within ((v (_ BitVec 64)) (most (_ BitVec 64))) Bool
   (and (bvsle (bvneg most) v) (bvsle v most)))
-; claim: a column's and a row's share, split at the binary point, and c_z z: shifts of 6 to 28, shares
-; within 2^32, a product within 2^30
+; claim: a column's and a row's share, split at the binary point, and c_z z: shifts of 6 to 28,
+; shares within 2^32, a product within 2^30
 ; weaken: #x000000000000001c => #x000000000000001f
 (push)
 (declare-const a (_ BitVec 64))
@@ -31,8 +31,8 @@
                 (bvashr (bvadd a b ((_ sign_extend 32) p)) s))))
 (check-sat)
 (pop)
-; claim: where |sum| + corner 2^S < 2^32, a place 0 .. 2 corner - 1 inside the map is itself, and one
-; outside is no place inside; corners of 8 to 2^15 pixels and fractions
+; claim: where |sum| + corner 2^S < 2^32, a place 0 .. 2 corner - 1 inside the map is itself, and
+; one outside is no place inside; corners of 8 to 2^15 pixels and fractions
 ; weaken: #x00000000ffffffff => #x00000001ffffffff
 (push)
 (declare-const sum (_ BitVec 64))

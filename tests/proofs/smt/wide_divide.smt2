@@ -7,16 +7,6 @@
 ; The digit's estimate is too great while this holds.
 (define-fun too_great ((rest Int) (next Int) (B Int)) Bool
   (and (< rest 4294967296) (> B (+ (* rest 4294967296) next))))
-; claim: a product grows with its factor: x >= c, y >= 0 give x y >= c y
-; weaken: (>= y 0.0) => (>= y (- 1.0))
-(push)
-(declare-const x Real)
-(declare-const y Real)
-(declare-const c Real)
-(assert (and (>= x c) (>= y 0.0)))
-(assert (not (>= (* x y) (* c y))))
-(check-sat)
-(pop)
 (declare-const upper Int)
 (declare-const next Int)
 (declare-const d1 Int)
@@ -90,5 +80,15 @@
 (assert (= (+ (* upper two32) l1) (+ P1 r1)))
 (assert (= (+ (* r1 two32) l0) (+ P2 r2)))
 (assert (not (= (+ (* upper two32 two32) (* l1 two32) l0) (+ (* P1 two32) P2 r2))))
+(check-sat)
+(pop)
+; claim: a product grows with its factor: x >= c, y >= 0 give x y >= c y
+; weaken: (>= y 0.0) => (>= y (- 1.0))
+(push)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const c Real)
+(assert (and (>= x c) (>= y 0.0)))
+(assert (not (>= (* x y) (* c y))))
 (check-sat)
 (pop)
