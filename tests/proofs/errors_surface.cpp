@@ -155,6 +155,53 @@ void corrections(Words& words) {
     }
 }
 
+// The same curve at any place, for words of 20 bits exact to 2^-40.
+long double real_curve(long double f0, long double f1, long double g0, long double g1,
+                       long double t) {
+    const long double a = 4 * (g1 - g0) / 3, b = 4 * g0;
+    return f0 + t * (f1 - f0 - a - b + t * (b + t * a));
+}
+
+// Blocks that are split 24 times each way, in any order, to any half.
+void deepest(Words& words) {
+    Worst worst("deepest");
+    for (int k = 0; k < 4000; ++k) {
+        raster::Component first;
+        for (auto* field : {&first.f, &first.gu, &first.gv, &first.guv})
+            for (std::int64_t& v : *field) v = words.word(20);
+        raster::Component s = first;
+        long double u = 0, v = 0, width = 1, height = 1;
+        int left_u = 24, left_v = 24;
+        while (left_u + left_v > 0) {
+            raster::Component low, high;
+            const bool upper = words.bits() % 2 == 0;
+            const bool in_u = left_v == 0 || (left_u > 0 && words.bits() % 2 == 0);
+            if (in_u) {
+                raster::split_u(s, low, high), --left_u, width /= 2;
+                if (upper) u += width;
+            } else {
+                raster::split_v(s, low, high), --left_v, height /= 2;
+                if (upper) v += height;
+            }
+            s = upper ? high : low;
+            for (std::size_t c = 0; c < 4; ++c) {
+                const long double x = u + (c % 2 != 0 ? width : 0), y = v + (c > 1 ? height : 0);
+                const auto row = [&](const auto& f, const auto& g, std::size_t at) {
+                    return real_curve(static_cast<long double>(f[at]),
+                                      static_cast<long double>(f[at + 1]),
+                                      static_cast<long double>(g[at]),
+                                      static_cast<long double>(g[at + 1]), x);
+                };
+                const long double exact =
+                    real_curve(row(first.f, first.gu, 0), row(first.f, first.gu, 2),
+                               row(first.gv, first.guv, 0), row(first.gv, first.guv, 2), y);
+                worst.add(static_cast<double>(static_cast<long double>(s.f[c]) - exact),
+                          words_of(first));
+            }
+        }
+    }
+}
+
 // --- shading -------------------------------------------------------------------------------------
 
 raster::UnitVector unit(Words& words) {
@@ -235,6 +282,7 @@ bool surface_errors() {
     Words words;
     halvings(words);
     corrections(words);
+    deepest(words);
     vectors(words);
     levels();
     return highlights();

@@ -28,7 +28,7 @@ Given given(const std::array<std::int32_t, 4>& c, const hw::Words& v) {
 
 // Against the exact sum: one rounding, and cut products.
 void sums(Words& words) {
-    Worst once("sum_once"), cut("sum_cut");
+    Worst once("sum_once"), cut("sum_cut"), near("sum_cut_near");
     hw::MachineSpec narrow;
     narrow.max_accumulator_bits = 22;
     for (int k = 0; k < 300'000; ++k) {
@@ -47,8 +47,15 @@ void sums(Words& words) {
             word = static_cast<std::int16_t>((word & ~0x1fff) | (-inverse & 0x1fff));
         };
         against(d[0], v.x), against(d[1], v.y), against(d[2], v.z);
+        narrow.product_rounding = fixed::Rounding::floor;
         cut.add(ratio(Wide{hw::TransformUnit(narrow, x_row(d))(v).x} * one - exact_sum(d, v), one),
                 given(d, v));
+        // And with c v at a half of 2^13, where all three round up.
+        for (std::int32_t* word : {&v.x, &v.y, &v.z})
+            *word = static_cast<std::int16_t>((*word & ~0x1fff) | 0x1000);
+        narrow.product_rounding = fixed::Rounding::half_up;
+        near.add(ratio(Wide{hw::TransformUnit(narrow, x_row(d))(v).x} * one - exact_sum(d, v),
+                       one), given(d, v));
     }
 }
 

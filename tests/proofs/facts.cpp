@@ -1,5 +1,6 @@
 // Writes the constants of the headers that the proofs are about to a file, lines "name value".
 #include "hw/machine_spec.hpp"
+#include "raster/draw_setup.hpp"
 #include "raster/facet.hpp"
 #include "raster/leaf_grid.hpp"
 #include "raster/sampling.hpp"
@@ -54,6 +55,8 @@ int main(int, char** words) {
     fact("max_screen", raster::max_screen);
     fact("guard_px", raster::guard_px);
     fact("max_corner_error", raster::max_corner_error);
+    fact("deepest_level", raster::deepest_level);
+    fact("leaf_levels", raster::leaf_levels);
     fact("word_bits", shadow::rivals::word_bits);
     fact("max_word", shadow::rivals::max_word);
     fact("normal_bits", shadow::rivals::normal_bits);

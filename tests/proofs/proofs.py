@@ -26,6 +26,7 @@ import words  # noqa: E402
 SOLVERS = {"z3": ["z3", "-in", "-T:100"], "cvc5": ["cvc5", "--incremental", "--tlimit-per=20000"]}
 PROGRAMS = ["agree", "exhaustive", "forms", "errors"]
 failures = []
+facts = {}
 told = {}  # name -> {"by": ..., "seconds": ...}
 
 
@@ -164,6 +165,12 @@ def leaf(k):
     return low, high, old_low, old_high, g_low, g_high
 
 
+def deepest():
+    """The greatest error of a leaf's corner after as many halvings as a block may have: each adds 2
+    to what halving_step.smt2 adds up."""
+    return 2 * 2 * (facts["deepest_level"] + facts["leaf_levels"])
+
+
 def squares(k):
     """Of a cosine squared k times: each rounding by half a unit, doubled by each later square."""
     return Fraction(2 ** k - 1, 2)
@@ -182,7 +189,7 @@ def rounded_out(v):
 
 
 def render(text, variables):
-    scope = {**variables, "leaf": leaf, "squares": squares, "max": max}
+    scope = {**variables, "deepest": deepest, "leaf": leaf, "squares": squares, "max": max}
     text = text.replace("{{", "\1").replace("}}", "\2")
 
     def value(m):
@@ -273,7 +280,7 @@ def main():
     parser.add_argument("--table", action="store_true")
     parser.add_argument("names", nargs="*")
     args = parser.parse_args()
-    facts = models.read_facts(args.facts)
+    facts.update(models.read_facts(args.facts))
     wanted = lambda name: not args.names or name in args.names  # noqa: E731
     for s in [*SOLVERS, "gappa"]:
         if not shutil.which(s):

@@ -6,7 +6,7 @@
 # bound: {squares(k)}
 @half_up = fixed<0,nu>;
 H1 = half_up(H * H * 1b-14);
-# weaken: [0, 16384] => [0, 16640]
+# weaken: half_up(H * H * 1b-14) => half_up(H * H * 1b-15)
 { h in [0, 16384] /\ H in [0, 16384] /\ |H - h| in [0, {squares(k - 1)}] ->
   |H1 - h * h * 1b-14| in [0, {squares(k)}] }
 H1 - h * h * 1b-14 -> (H1 - H * H * 1b-14) + (H - h) * (H + h) * 1b-14;
