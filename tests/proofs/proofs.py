@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
 
@@ -23,7 +24,9 @@ sys.path.insert(0, str(HERE))
 import models  # noqa: E402
 import words  # noqa: E402
 
-SOLVERS = {"z3": ["z3", "-in", "-T:100"], "cvc5": ["cvc5", "--incremental", "--tlimit-per=20000"]}
+# Seconds on a quiet machine; with these limits a busy one still gets an answer.
+SOLVERS = {"z3": ["z3", "-in", "-T:600"],
+           "cvc5": ["cvc5", "--incremental", "--tlimit-per=100000"]}
 PROGRAMS = ["agree", "exhaustive", "forms", "errors"]
 failures = []
 facts = {}
@@ -46,6 +49,12 @@ def ask(solver, text):
 
 def present():
     return [s for s in SOLVERS if shutil.which(s)]
+
+
+def ask_all(text):
+    """What each solver answers; they work side by side."""
+    with ThreadPoolExecutor(len(SOLVERS)) as pool:
+        return dict(zip(present(), pool.map(lambda s: ask(s, text), present())))
 
 
 # --- SMT-LIB files -------------------------------------------------------------------------------
@@ -80,13 +89,12 @@ def smt_file(path, facts, weakened):
             if old not in preamble + body:
                 say(name, False, f"'{old}' stands nowhere")
                 continue
-            answers = [a for s in present() for a in ask(s, text)]
+            answers = [a for all_ in ask_all(text).values() for a in all_]
             say(name, "sat" in answers, "weakened, it fails" if "sat" in answers else
                 f"weakened, it still answers {answers}")
         return
     text = preamble + "".join(p for _, _, p in claims)
-    for solver in present():
-        answers = ask(solver, text)
+    for solver, answers in ask_all(text).items():
         answers += ["unknown"] * (len(claims) - len(answers))
         for (title, _, _), answer in zip(claims, answers):
             by.setdefault(title, {})[solver] = answer
@@ -112,10 +120,9 @@ def word_stages(facts, names, weakened):
             weaken_words(name, all_)
             continue
         proved = []
-        for solver in present():
-            text = "(set-logic ALL)\n" + "".join(
-                f"(push)\n{s.smt()}\n(check-sat)\n(pop)\n" for s in all_)
-            answers = ask(solver, text)
+        text = "(set-logic ALL)\n" + "".join(
+            f"(push)\n{s.smt()}\n(check-sat)\n(pop)\n" for s in all_)
+        for solver, answers in ask_all(text).items():
             if "sat" in answers:
                 proved = []
                 break

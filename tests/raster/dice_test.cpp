@@ -165,6 +165,22 @@ TEST(Dice, PatchesOfDifferentLevelsLeaveNoCrack) {
     EXPECT_GT(differing, effort(20));
 }
 
+// Where a border has fewer levels than its patch, vertices fall together: what is left of a facet
+// then is a line, and no facet.
+TEST(Dice, MakesNoFacetOfTwoCorners) {
+    Words words(71);
+    const auto memory = std::make_unique<DiceMemory>();
+    for (int n = 0; n < 200; ++n) {
+        DiceLevels levels{3, {}};
+        for (int& edge : levels.edge) edge = static_cast<int>(words.within(1) + 2);
+        for (const Facet& f : dice(words.patch(1 << 16), levels, false, *memory).facets) {
+            ASSERT_NE(f.vertex[0], f.vertex[1]);
+            ASSERT_NE(f.vertex[1], f.vertex[2]);
+            ASSERT_NE(f.vertex[2], f.vertex[0]);
+        }
+    }
+}
+
 TEST(Dice, DrawsWhatSubdivisionDraws) {
     umbra78::test::Patches patches;
     umbra78::test::add_sphere(patches, umbra78::test::sphere(-0.5, 0.4, 0, 1.1));
