@@ -74,7 +74,9 @@ done
 
 # Tests mirror the rooms, but for those that belong to no single one.
 for folder in $(find tests -mindepth 2 -name '*.?pp' -printf '%h\n' | sort -u); do
-  case $folder in tests/claims | tests/fuzz | tests/guards | tests/proofs | tests/support) continue ;; esac
+  case $folder in
+    tests/claims | tests/fuzz | tests/guards | tests/proofs | tests/support) continue ;;
+  esac
   [ "$folder" != tests/installed ] || continue
   [ -n "${may[${folder#tests/}]:-}" ] || fail "$folder/ tests no room of CMakeLists.txt"
 done

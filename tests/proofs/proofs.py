@@ -8,6 +8,7 @@ exhaustive, forms, errors. --weakened: each claim with its planted weakening mus
 that is not installed is left out, with a line.
 """
 import argparse
+import json
 import math
 import re
 import shutil
@@ -30,7 +31,7 @@ SOLVERS = {"z3": ["z3", "-in", "-T:600"],
 PROGRAMS = ["agree", "exhaustive", "forms", "errors"]
 failures = []
 facts = {}
-told = {}  # name -> {"by": ..., "seconds": ...}
+told = {}  # (file, claim) -> who proved it
 
 
 def say(name, ok, text):
@@ -184,7 +185,10 @@ def squares(k):
 
 
 def rounded_out(v):
-    """Exact where the decimals end, else ten digits, away from zero."""
+    """Exact where the decimals end, else ten digits, away from zero; a quotient by a bit more, for
+    it was rounded before."""
+    if isinstance(v, float) and Fraction(v).denominator > 1 << 24:
+        v = Fraction(math.ceil(v * 10 ** 10) + 1, 10 ** 10)
     v = Fraction(v)
     rest = v.denominator
     while rest % 2 == 0:
@@ -278,6 +282,25 @@ def bounds_tighter(path):
     say("errors", len(broken) > 20, f"{len(broken)} bounds would be broken, were they a fifth less")
 
 
+def remember(path, bounds, errors, as_table):
+    """Keeps what was seen beside what earlier runs saw of other names; writes the page."""
+    seen = json.loads(path.read_text()) if path.exists() else {}
+    claims = seen.setdefault("claims", {})
+    for file in {f for f, _ in told if f != "words"}:
+        claims[file] = []
+    for (file, title), proved in told.items():
+        if file == "words":
+            claims.setdefault("words", {})[title] = proved
+        else:
+            claims[file].append([title, proved])
+    seen.setdefault("bounds", {}).update(bounds)
+    seen.setdefault("errors", {}).update(errors)
+    path.write_text(json.dumps(seen))
+    if as_table:
+        import table
+        (HERE.parent / "PROOFS.md").write_text(table.text(seen))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -313,9 +336,8 @@ def main():
                 (done.stdout.splitlines() or ["nothing was said"])[0])
         else:
             errors.update(program(name, args.program, bounds))
-    if args.table:
-        import table
-        (HERE.parent / "PROOFS.md").write_text(table.text(told, bounds, errors))
+    if not args.weakened:
+        remember(Path(args.facts).with_name("seen.json"), bounds, errors, args.table)
     if failures:
         print(f"{len(failures)} failed: " + "; ".join(failures))
     sys.exit(1 if failures else 0)

@@ -31,28 +31,28 @@ The programs beside the solvers:
 
 
 def item(text):
-    return textwrap.fill(text, 100, initial_indent="- ", subsequent_indent="  ",
-                         break_long_words=False, break_on_hyphens=False)
+    joined = text.replace(" - ", " -\1")  # no line begins with a minus, which would make a list
+    return textwrap.fill(joined, 100, initial_indent="- ", subsequent_indent="  ",
+                         break_long_words=False, break_on_hyphens=False).replace("\1", " ")
 
 
 def rule(heading, *lines):
     return ["", f"## {heading}", "", *lines, ""]
 
 
-def claims(told):
+def claims(seen):
     out = rule("Claims of the solvers",
                "Primitives at their real width, the divider by its inductive step, accumulators of",
                "every machine that `check` accepts, and the forms that are linear enough. Words",
                "are bit vectors, quotients whole numbers. In brackets who proved it.")
-    for (file, title), proved in told.items():
-        if file != "words":
+    for file in sorted(f for f in seen if f != "words"):
+        for title, proved in seen[file]:
             out.append(item(f"**{file}**: {title} ({', '.join(proved)})"))
     out += rule("Words that hold their numbers",
                 "Each step of these stages fits the word of its name, for all inputs that the",
                 "checks let through. `--weakened` finds for each a word in which it does not.")
-    for (file, name), proved in told.items():
-        if file == "words":
-            out.append(item(f"**{name}**: {proved[1]} ({', '.join(proved[0])})"))
+    for name, (proved, what) in seen["words"].items():
+        out.append(item(f"**{name}**: {what} ({', '.join(proved)})"))
     return out
 
 
@@ -85,5 +85,6 @@ def errors_table(bounds, errors):
     return out + ["", "The words that give the worst:", ""] + at
 
 
-def text(told, bounds, errors):
-    return "\n".join([HEAD.rstrip(), *claims(told), *errors_table(bounds, errors)]) + "\n"
+def text(seen):
+    parts = [HEAD.rstrip(), *claims(seen["claims"]), *errors_table(seen["bounds"], seen["errors"])]
+    return "\n".join(parts) + "\n"
