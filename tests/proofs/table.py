@@ -31,7 +31,7 @@ The programs beside the solvers:
 
 
 def item(text):
-    joined = text.replace(" - ", " -\1")  # no line begins with a minus, which would make a list
+    joined = text.replace(" - ", "\1-\1")  # no line begins with a minus, which would make a list
     return textwrap.fill(joined, 100, initial_indent="- ", subsequent_indent="  ",
                          break_long_words=False, break_on_hyphens=False).replace("\1", " ")
 

@@ -105,8 +105,8 @@ TEST(Culling, LeavesOutNoTestOfPointsThatAreMoved) {
     EXPECT_EQ(sweep.left_out, 0);
 }
 
-// A lamp that stands over the receiver and looks along it: behind the lamp there is no quotient, and
-// nothing is left out on its account. The caster is too near to be seen.
+// A lamp that stands over the receiver and looks along it: behind the lamp there is no quotient,
+// and nothing is left out on its account. The caster is too near to be seen.
 TEST(Culling, LeavesOutNoTestOfPointsBehindALamp) {
     PlannedScene p;
     p.name = "behind a lamp";
