@@ -194,6 +194,7 @@ TEST(Dice, DrawsWhatSubdivisionDraws) {
     front.facing = Facing::front;
     const DrawCounts counts = diced.draw(patches, view, Sampling::centre, &light);
     EXPECT_EQ(counts.diced_patches, patches.size());
+    EXPECT_EQ(counts.subdivided(), 0u);
     EXPECT_GT(counts.facets, 1000u);
     EXPECT_EQ(counts.blocks, 0u);
     const DrawCounts fronts = front.draw(patches, view, Sampling::centre, &light);
