@@ -173,10 +173,11 @@ private:
         const Corner c = m_.batch.corner(2, slot);
         sample_triangle(a, b, c, setup_.spec, [&](const Sample& s) {
             if (!m_.samples.has_room(1)) finish_samples();
-            const auto u16 = [](auto v) { return static_cast<std::uint16_t>(v); };
-            m_.samples.sample[m_.samples.count] = {static_cast<std::int32_t>(s.z), u16(slot),
-                                                   u16(s.px), u16(s.py)};
-            form_.put(plane_, m_.samples);
+            FacetSamples& list = m_.samples;
+            list.z[list.count] = static_cast<std::int32_t>(s.z);
+            list.place[list.count] = place(s.px, s.py);
+            list.slot[list.count] = static_cast<std::uint16_t>(slot);
+            form_.put(plane_, list);
         });
     }
 
@@ -186,9 +187,8 @@ private:
         if (list.count + most_few + 16 > CentreList::most) draw_few();
         for (std::int32_t py = batch.y0[slot]; py <= batch.y1[slot]; ++py) {
             for (std::int32_t px = batch.x0[slot]; px <= batch.x1[slot]; ++px) {
-                list.slot[list.count] = static_cast<std::uint16_t>(slot);
-                list.px[list.count] = static_cast<std::uint16_t>(px);
-                list.py[list.count++] = static_cast<std::uint16_t>(py);
+                list.place[list.count] = place(px, py);
+                list.slot[list.count++] = static_cast<std::uint16_t>(slot);
             }
         }
     }
@@ -200,16 +200,24 @@ private:
 
     // --- samples to the sink ---------------------------------------------------------------------
 
-    static std::uint32_t code(const FacetSample& s) { return static_cast<std::uint32_t>(s.z); }
-    Sample sample_of(const FacetSample& s) const {
-        return {s.px, s.py, pixel_centre(s.px, half_px_), pixel_centre(s.py, half_px_), s.z, 0, 0};
+    static std::uint32_t place(int px, int py) {
+        return place_of(static_cast<std::uint32_t>(px), static_cast<std::uint32_t>(py));
+    }
+    int px(std::size_t k) const { return static_cast<int>(m_.samples.place[k] % 65536); }
+    int py(std::size_t k) const { return static_cast<int>(m_.samples.place[k] / 65536); }
+    std::uint32_t code(std::size_t k) const {
+        return static_cast<std::uint32_t>(m_.samples.z[k]);
+    }
+    Sample sample(std::size_t k) const {
+        return {px(k), py(k), pixel_centre(px(k), half_px_), pixel_centre(py(k), half_px_),
+                m_.samples.z[k], 0, 0};
     }
     void finish_samples() {
         FacetSamples& list = m_.samples;
         emit_.counts.samples += list.coded;
         if constexpr (!shades) {
             for (std::size_t k = 0; k < list.count; ++k)
-                emit_(sample_of(list.sample[k]), static_cast<const FacetShading*>(nullptr));
+                emit_(sample(k), static_cast<const FacetShading*>(nullptr));
         } else if constexpr (can_batch) {
             const std::size_t kept = plane_.codes != nullptr ? list.count : keep_samples();
             for (std::size_t at = 0; at < kept;) at = shade_some(at, kept);
@@ -221,36 +229,38 @@ private:
         FacetSamples& list = m_.samples;
         std::size_t kept = 0;
         for (std::size_t k = 0; k < list.count; ++k) {
-            FacetSample s = list.sample[k];
             std::uint32_t code = 0;
-            if (!emit_.code_of(s.z, 0, code)) continue;
-            s.z = static_cast<std::int32_t>(code);
-            list.sample[kept] = s;
-            kept += emit_.sink.keeps(s.px, s.py, code) ? 1 : 0;
+            if (!emit_.code_of(list.z[k], 0, code)) continue;
+            const bool keeps = emit_.sink.keeps(px(k), py(k), code);
+            list.z[kept] = static_cast<std::int32_t>(code);
+            list.place[kept] = list.place[k];
+            list.slot[kept] = list.slot[k];
+            kept += keeps ? 1 : 0;
         }
         return kept;
     }
 
     // From sample `at` on those that are shaded together; returns where the others begin.
     std::size_t shade_some(std::size_t at, std::size_t kept) {
-        const FacetSample* list = m_.samples.sample;
+        const std::uint16_t* slots = m_.samples.slot;
         const std::size_t most = std::min<std::size_t>(kept, at + leaves * leaves);
         std::size_t end = at;
-        while (end < most && shading_of(list[end].slot) == FacetMemory::Shading::lanes) ++end;
+        while (end < most && shading_of(slots[end]) == FacetMemory::Shading::lanes) ++end;
         if (end > at) {
-            form_.shade(job_, m_.batch, m_.normals, half_px_, list + at, end - at, m_.levels);
+            form_.shade(job_, m_.batch, m_.normals, half_px_, m_.samples, at, end - at,
+                        m_.levels);
             for (std::size_t k = at; k < end; ++k)
-                emit_.sink.take(list[k].px, list[k].py, code(list[k]), m_.levels, k - at);
+                emit_.sink.take(px(k), py(k), code(k), m_.levels, k - at);
             return end;
         }
-        const std::uint16_t slot = list[at].slot;
+        const std::uint16_t slot = slots[at];
         const Facet& facet = mesh_->facets[m_.batch.facet[slot]];
         walk_.project(facet);
         const FacetTriangle triangle = walk_.triangle(0);
         const FacetShading shading(triangle, walk_.facet(), facet.normal[0] == Facet::flat,
                                    setup_.shading, *material_);
-        for (; end < kept && list[end].slot == slot; ++end)
-            emit_.sink.sample(sample_of(list[end]), code(list[end]), &shading);
+        for (; end < kept && slots[end] == slot; ++end)
+            emit_.sink.sample(sample(end), code(end), &shading);
         return end;
     }
     FacetMemory::Shading shading_of(std::size_t slot) {

@@ -80,11 +80,15 @@ struct TriangleBatch {
     }
 };
 
+// A pixel in one word.
+constexpr std::uint32_t place_of(std::uint32_t px, std::uint32_t py) { return py << 16 | px; }
+
 // Centres to be tested, each with the triangle it may lie in.
 struct CentreList {
     static constexpr std::size_t most = 1024;
     std::size_t count;
-    std::uint16_t slot[most], px[most], py[most];
+    std::uint32_t place[most];
+    std::uint16_t slot[most];
 };
 
 // A store of 16-bit codes, whose samples round half up. Where it keeps depth alone the lanes put
@@ -97,16 +101,14 @@ struct CodePlane {
     bool depth_alone;
 };
 
-struct FacetSample {
-    std::int32_t z;  // or its code, where there are codes
-    std::uint16_t slot, px, py;
-};
 inline constexpr int tile_lines = 64;
 struct FacetSamples {
     static constexpr std::size_t most = 2048;
     std::size_t count;
     std::uint64_t coded;  // samples with a code, kept or not
-    FacetSample sample[most];
+    std::int32_t z[most];        // or their codes, where there are codes
+    std::uint32_t place[most];   // place_of
+    std::uint16_t slot[most];
 
     bool has_room(std::size_t more) const { return count + more < most; }
 };
@@ -119,7 +121,7 @@ struct TileColumns {
     std::int32_t edge[3][most];      // beyond column 0's
     std::int32_t quotient[most];     // and so of the depth
     std::int64_t remainder[most];
-    std::int32_t taken[most];        // 0: not a column of the tile's
+    std::int32_t taken[most];        // all ones, or 0: not a column of the tile's
 };
 struct Tile {
     std::uint16_t slot, px, py;
@@ -145,10 +147,10 @@ struct FacetForm {
                  FacetSamples& out);
     // What is behind the last sample.
     void (*put)(const CodePlane& plane, FacetSamples& out);
-    // Of `count` samples, at most 256; their levels are numbered as they are.
+    // Of `count` samples from `first` on, at most 256; their levels are numbered from 0.
     void (*shade)(const ShadeJob& job, const TriangleBatch& batch, const FacetNormals& normals,
-                  std::int32_t half_px, const FacetSample* samples, std::size_t count,
-                  LeafLevels& out);
+                  std::int32_t half_px, const FacetSamples& list, std::size_t first,
+                  std::size_t count, LeafLevels& out);
 };
 
 }  // namespace umbra78::raster

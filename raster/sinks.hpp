@@ -108,8 +108,9 @@ public:
         }
     }
 
-    // Whether a leaf's levels, which lie by planes already, come before those at an address.
-    bool is_less(const LeafLevels& levels, std::size_t leaf, std::size_t address) const {
+    // Whether a leaf's levels, which lie by planes already, come before those at an address: asked
+    // where depths are equal.
+    [[gnu::noinline]] bool is_less(const LeafLevels& levels, std::size_t leaf, std::size_t address) const {
         const auto* plane = levels.level;
         for (std::size_t k = 0; k < channels_; ++k) {
             for (std::size_t l = 0; l <= sources_; ++l) {
@@ -223,7 +224,8 @@ public:
         return code_plane_of(store_, spec, false);
     }
     bool takes_levels() const { return !normals_.kept(); }
-    void take(int px, int py, std::uint32_t code, const LeafLevels& levels, std::size_t leaf) {
+    [[gnu::always_inline]] void take(int px, int py, std::uint32_t code, const LeafLevels& levels,
+                                     std::size_t leaf) {
         const std::size_t a = store_.address(px, py);
         Depth& z = store_.depth[a];
         if (code > z || (code == z && !planes_.is_less(levels, leaf, a))) return;

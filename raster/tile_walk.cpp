@@ -64,7 +64,7 @@ TileWalk::TileWalk(const TriangleBatch& batch, std::size_t slot, std::int32_t ha
 void TileWalk::take_columns(int px) {
     first_ = std::min(px, 2 * half_px_ - columns_);
     for (int k = 0; k < columns_; ++k)
-        at_.taken[k] = first_ + k >= px && first_ + k <= x1_ ? 1 : 0;
+        at_.taken[k] = first_ + k >= px && first_ + k <= x1_ ? -1 : 0;
 }
 
 bool TileWalk::make(int py, Tile& out) const {

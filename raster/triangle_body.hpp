@@ -4,6 +4,16 @@
 
 // --- samples -------------------------------------------------------------------------------------
 
+// The centres of 16 pixels.
+static inline void find_centres_of(const std::uint32_t* place, std::int32_t half_px,
+                                   Lanes& __restrict x, Lanes& __restrict y) {
+    for (int k = 0; k < leaves; ++k) {
+        const std::int32_t px = wrapped(place[k] % 65536), py = wrapped(place[k] / 65536);
+        x[k] = (2 * (px - half_px) + 1) * (1 << (raster_fraction - 1));
+        y[k] = (2 * (py - half_px) + 1) * (1 << (raster_fraction - 1));
+    }
+}
+
 // 16 triangles with a centre each.
 struct FewGroup {
     Lanes ax, ay, az, bx, by, bz, cx, cy, cz, area, less[3], x, y;
@@ -24,9 +34,8 @@ static inline void collect_few(const TriangleBatch& t, const CentreList& list, s
         g.cz[k] = t.z[2][s];
         g.area[k] = narrow(t.area[s]);
         for (int c = 0; c < 3; ++c) g.less[c][k] = t.less[c][s];
-        g.x[k] = (2 * (list.px[n] - half_px) + 1) * (1 << (raster_fraction - 1));
-        g.y[k] = (2 * (list.py[n] - half_px) + 1) * (1 << (raster_fraction - 1));
     }
+    find_centres_of(list.place + at, half_px, g.x, g.y);
 }
 
 // What covers(), and the depth over the lowest corner's as a dividend.
@@ -63,36 +72,31 @@ static inline std::uint32_t code_of(std::int32_t z, const CodePlane& plane) {
     return c - (c == word(plane.background) ? 1 : 0);
 }
 
-// Appends the sample, or puts it into the plane.
-static inline FacetSample* put_sample(FacetSample s, const CodePlane& plane, FacetSamples& out,
-                                      FacetSample* to) {
+// What is behind the last sample becomes one, or is put into the plane.
+static inline void put_sample(const CodePlane& plane, FacetSamples& out) {
+    const std::size_t at = out.count;
     if (plane.codes == nullptr) {
-        *to = s;
-        return to + 1;
+        out.count = at + 1;
+        return;
     }
-    const std::uint32_t code = code_of(s.z, plane);
-    if (code >= word(plane.background)) return to;
+    const std::uint32_t code = code_of(out.z[at], plane), place = out.place[at];
+    if (code >= word(plane.background)) return;
     ++out.coded;
-    std::uint16_t& kept = plane.codes[(std::size_t{s.py} << plane.xy_bits) + s.px];
+    std::uint16_t& kept =
+        plane.codes[(std::size_t{place / 65536} << plane.xy_bits) + place % 65536];
     if (plane.depth_alone) {
         kept = static_cast<std::uint16_t>(code < kept ? code : kept);
-        return to;
+        return;
     }
-    s.z = wrapped(code);
-    *to = s;
-    return to + (code <= kept ? 1 : 0);
+    out.z[at] = wrapped(code);
+    out.count = at + (code <= kept ? 1 : 0);
 }
-
-static void put_form(const CodePlane& plane, FacetSamples& out) {
-    FacetSample* const at = out.sample + out.count;
-    out.count = static_cast<std::size_t>(put_sample(*at, plane, out, at) - out.sample);
-}
+static void put_form(const CodePlane& plane, FacetSamples& out) { put_sample(plane, out); }
 
 static void few_form(const TriangleBatch& batch, CentreList& list, std::int32_t half_px,
                      const CodePlane& plane, FacetSamples& out) {
     for (std::size_t k = list.count; k % leaves != 0; ++k)
-        list.slot[k] = list.px[k] = list.py[k] = 0;
-    FacetSample* to = out.sample + out.count;
+        list.slot[k] = 0, list.place[k] = 0;
     for (std::size_t at = 0; at < list.count; at += leaves) {
         FewGroup group;
         FewDepths d;
@@ -102,12 +106,12 @@ static void few_form(const TriangleBatch& batch, CentreList& list, std::int32_t 
         for (std::size_t k = 0; k < count; ++k) {
             if (d.covers[k] == 0) continue;
             const std::uint64_t over = d.dividend[k] / (2 * std::uint64_t{word(group.area[k])});
-            to = put_sample({wrapped(word(d.lowest[k]) + static_cast<std::uint32_t>(over)),
-                             list.slot[at + k], list.px[at + k], list.py[at + k]},
-                            plane, out, to);
+            out.z[out.count] = wrapped(word(d.lowest[k]) + static_cast<std::uint32_t>(over));
+            out.place[out.count] = list.place[at + k];
+            out.slot[out.count] = list.slot[at + k];
+            put_sample(plane, out);
         }
     }
-    out.count = static_cast<std::size_t>(to - out.sample);
 }
 
 // A tile's state on a line.
@@ -126,40 +130,66 @@ struct TileLine {
     }
 };
 
-// The depths of a line's columns, or their codes; -1 where there is no sample. `columns` is a
-// constant where this is inlined.
-static inline void sample_line(const Tile& t, const TileColumns& at, const TileLine& line,
-                               int columns, Lanes& __restrict z) {
+// The depths of a line's columns. `columns` is a constant where these are inlined.
+static inline void find_depths_of(const Tile& t, const TileColumns& at, const TileLine& line,
+                                  int columns, Lanes& __restrict z) {
     for (int k = 0; k < columns; ++k)
         z[k] = wrapped(word(line.value) + word(at.quotient[k]) +
                        (line.rest + at.remainder[k] >= t.area ? 1u : 0u));
 }
-static inline std::int32_t uncovered(const TileColumns& at, const TileLine& line, int k) {
-    return (line.e0 + at.edge[0][k]) | (line.e1 + at.edge[1][k]) | (line.e2 + at.edge[2][k]);
+// All ones where a centre is covered.
+static inline void find_covered(const TileColumns& at, const TileLine& line, int columns,
+                                Lanes& __restrict covered) {
+    for (int k = 0; k < columns; ++k)
+        covered[k] = at.taken[k] & ~down((line.e0 + at.edge[0][k]) | (line.e1 + at.edge[1][k]) |
+                                             (line.e2 + at.edge[2][k]),
+                                         31);
+}
+// Depths to codes; leaves those in `covered` that have one, and counts them in `coded`.
+static inline void find_codes(const CodePlane& plane, int columns, Lanes& __restrict z,
+                              Lanes& __restrict covered, Lanes& __restrict coded) {
+    for (int k = 0; k < columns; ++k) {
+        const std::uint32_t code = code_of(z[k], plane);
+        z[k] = wrapped(code);
+        covered[k] &= code < word(plane.background) ? -1 : 0;
+        coded[k] -= covered[k];
+    }
+}
+static inline void get_codes(const std::uint16_t* row, int columns, Lanes& __restrict kept) {
+    for (int k = 0; k < columns; ++k) kept[k] = row[k];
+}
+static inline std::uint64_t sum_of(const Lanes& v, int columns) {
+    std::uint32_t sum = 0;
+    for (int k = 0; k < columns; ++k) sum += word(v[k]);
+    return sum;
 }
 
-// Into a plane of depth alone. Tiles are functions of their own: what they read by columns stays in
-// memory, from where it comes as vectors.
+// Into a plane of depth alone.
 static inline void draw_tile(const Tile& t, const TileColumns& at, const CodePlane& plane,
                              int columns, FacetSamples& out) {
     TileLine line{t.edge[0], t.edge[1], t.edge[2], t.value, t.rest};
     std::uint16_t* row = plane.codes + (std::size_t{t.py} << plane.xy_bits) + t.px;
-    Lanes coded;
-    for (int k = 0; k < columns; ++k) coded[k] = 0;
+    Lanes coded = {};
     for (int n = 0; n < t.lines; ++n, row += std::size_t{1} << plane.xy_bits) {
-        Lanes z;
-        sample_line(t, at, line, columns, z);
+        Lanes z, covered, kept;
+        find_depths_of(t, at, line, columns, z);
+        find_covered(at, line, columns, covered);
+        find_codes(plane, columns, z, covered, coded);
+        get_codes(row, columns, kept);
         for (int k = 0; k < columns; ++k) {
-            const std::uint32_t code = code_of(z[k], plane), kept = row[k];
-            const std::int32_t sample = uncovered(at, line, k) >= 0 &&
-                                                code < word(plane.background)
-                                            ? at.taken[k] : 0;
-            coded[k] += sample;
-            row[k] = static_cast<std::uint16_t>(sample != 0 && code < kept ? code : kept);
+            const std::int32_t nearer = least(z[k], kept[k]);
+            row[k] = static_cast<std::uint16_t>(covered[k] != 0 ? nearer : kept[k]);
         }
         line.next(t);
     }
-    for (int k = 0; k < columns; ++k) out.coded += word(coded[k]);
+    out.coded += sum_of(coded, columns);
+}
+
+// A bit for each column.
+static inline std::uint32_t bits_of(const Lanes& mask, int columns) {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < columns; ++k) bits |= word(mask[k]) & (1u << k);
+    return bits;
 }
 
 // Into the list: those that do not lie behind what the plane has, or all if there is none.
@@ -168,37 +198,29 @@ static inline void list_tile(const Tile& t, const TileColumns& at, const CodePla
     TileLine line{t.edge[0], t.edge[1], t.edge[2], t.value, t.rest};
     const std::uint16_t* row = plane.codes;
     if (row != nullptr) row += (std::size_t{t.py} << plane.xy_bits) + t.px;
-    Lanes coded;
-    for (int k = 0; k < columns; ++k) coded[k] = 0;
-    FacetSample* to = out.sample + out.count;
+    Lanes coded = {};
+    std::size_t to = out.count;
     for (int n = 0; n < t.lines; ++n) {
-        Lanes z;
-        std::uint32_t samples = 0;
-        sample_line(t, at, line, columns, z);
-        if (row == nullptr) {
-            for (int k = 0; k < columns; ++k)
-                samples |= (uncovered(at, line, k) >= 0 ? word(at.taken[k]) : 0) << k;
-        } else {
-            for (int k = 0; k < columns; ++k) {
-                const std::uint32_t code = code_of(z[k], plane), kept = row[k];
-                const std::uint32_t sample = uncovered(at, line, k) >= 0 &&
-                                                     code < word(plane.background)
-                                                 ? word(at.taken[k]) : 0;
-                coded[k] += wrapped(sample);
-                samples |= (code <= kept ? sample : 0) << k;
-                z[k] = wrapped(code);
-            }
+        Lanes z, covered, kept;
+        find_depths_of(t, at, line, columns, z);
+        find_covered(at, line, columns, covered);
+        if (row != nullptr) {
+            find_codes(plane, columns, z, covered, coded);
+            get_codes(row, columns, kept);
+            for (int k = 0; k < columns; ++k) covered[k] &= z[k] <= kept[k] ? -1 : 0;
             row += std::size_t{1} << plane.xy_bits;
         }
-        for (; samples != 0; samples &= samples - 1) {
-            const int k = __builtin_ctz(samples);
-            *to++ = {z[k], t.slot, static_cast<std::uint16_t>(t.px + k),
-                     static_cast<std::uint16_t>(t.py + n)};
+        const std::uint32_t place = place_of(t.px, static_cast<std::uint16_t>(t.py + n));
+        for (std::uint32_t rest = bits_of(covered, columns); rest != 0; rest &= rest - 1) {
+            const int k = __builtin_ctz(rest);
+            out.z[to] = z[k];
+            out.place[to] = place + static_cast<std::uint32_t>(k);
+            out.slot[to++] = t.slot;
         }
         line.next(t);
     }
-    for (int k = 0; k < columns; ++k) out.coded += word(coded[k]);
-    out.count = static_cast<std::size_t>(to - out.sample);
+    out.coded += sum_of(coded, columns);
+    out.count = to;
 }
 
 static void tile_form(const Tile& tile, const TileColumns& at, const CodePlane& plane,
@@ -220,22 +242,24 @@ struct SampleEdges {
     Lanes a, b, c;
 };
 
-// 16 samples: whose they are, and where. A triangle has many that follow each other.
+// 16 samples: whose they are, and where. A triangle has many that follow each other. The last
+// group is filled up with its first.
 struct SampleGroup {
+    std::uint32_t place[leaves], slot[leaves];
     Lanes x, y;
-    std::size_t slot[leaves];
     bool alike;  // all of one triangle
 };
 
-static inline void collect_samples(const FacetSample* list, std::size_t count,
+static inline void collect_samples(const FacetSamples& list, std::size_t at, std::size_t count,
                                    std::int32_t half_px, SampleGroup& __restrict g) {
-    g.alike = list[0].slot == list[count - 1].slot;  // slots do not come back
-    for (std::size_t k = 0; k < leaves; ++k) {       // the last group is filled up with its first
-        const FacetSample& s = list[k < count ? k : 0];
-        g.x[k] = (2 * (s.px - half_px) + 1) * (1 << (raster_fraction - 1));
-        g.y[k] = (2 * (s.py - half_px) + 1) * (1 << (raster_fraction - 1));
-        g.slot[k] = s.slot;
+    for (std::size_t k = 0; k < leaves; ++k) g.place[k] = list.place[at + k];
+    for (std::size_t k = 0; k < leaves; ++k) g.slot[k] = list.slot[at + k];
+    for (std::size_t k = count; k < leaves; ++k) {
+        g.place[k] = g.place[0];
+        g.slot[k] = g.slot[0];
     }
+    g.alike = g.slot[0] == g.slot[count - 1];  // slots do not come back
+    find_centres_of(g.place, half_px, g.x, g.y);
 }
 static inline void take_words(const std::int32_t* from, const SampleGroup& g,
                               Lanes& __restrict to) {
@@ -272,47 +296,70 @@ static inline void find_edges(const TriangleBatch& t, const SampleGroup& g,
             cut += much;
         }
         cut += above;  // the last bit
-        e.a[k] = wrapped(static_cast<std::uint32_t>(static_cast<std::uint64_t>(e.of_a[k]) >> cut));
-        e.b[k] = wrapped(static_cast<std::uint32_t>(static_cast<std::uint64_t>(e.of_b[k]) >> cut));
-        e.c[k] = wrapped(static_cast<std::uint32_t>(static_cast<std::uint64_t>(e.of_c[k]) >> cut));
+        const auto less = [&](std::int64_t v) {
+            return wrapped(static_cast<std::uint32_t>(static_cast<std::uint64_t>(v) >> cut));
+        };
+        e.a[k] = less(e.of_a[k]);
+        e.b[k] = less(e.of_b[k]);
+        e.c[k] = less(e.of_c[k]);
     }
 }
 
-// half_up(1024 of / whole), digit by digit: of <= whole < 2^27.
-static inline void find_part(const Lanes& of, const SampleEdges& e, Lanes& __restrict part) {
+// half_up(1024 e / whole) for the edges' values b and c. Both sides are made longer alike until
+// 2^25 <= whole < 2^26. With w = whole / 2^26 in 1/2 .. 1 and y near 1 / w
+//
+//   y <- y (2 - w y)      from a line, (48 - 32 w) / 17, within 1/17
+//
+// 2 steps in words of 16 bits leave 2^-14, so a quotient is within one, which its rest decides.
+struct Parts {
+    Lanes b, c;
+};
+
+static inline std::int32_t exact_part(std::uint32_t e, std::uint32_t whole, std::uint32_t y) {
+    const std::uint32_t q = ((e >> 10) * y + (1u << 20)) >> 21;
+    const std::int32_t rest = wrapped(2048 * e + whole - 2 * whole * q);  // 0 to 2 whole - 1
+    return wrapped(q) - (rest < 0 ? 1 : 0) + (rest >= wrapped(2 * whole) ? 1 : 0);
+}
+
+static inline void find_parts(const SampleEdges& e, Parts& __restrict part) {
     for (int k = 0; k < leaves; ++k) {
-        const std::uint32_t whole = word(e.a[k]) + word(e.b[k]) + word(e.c[k]);
-        std::uint32_t rest = word(of[k]), digits = 0;
-        for (int digit = 0; digit <= 10; ++digit) {
-            const bool one = rest >= whole;
-            rest = 2 * (one ? rest - whole : rest);
-            digits = 2 * digits + (one ? 1 : 0);
+        std::uint32_t b = word(e.b[k]), c = word(e.c[k]);
+        std::uint32_t whole = word(e.a[k]) + b + c;
+        for (std::uint32_t step = 16; step > 0; step /= 2) {
+            const std::uint32_t up = whole < (1u << (26 - step)) ? step : 0;
+            whole <<= up;
+            b <<= up;
+            c <<= up;
         }
-        part[k] = wrapped(digits + (rest >= whole ? 1 : 0));
+        const std::uint32_t w = whole >> 10;               // Q.16
+        std::uint32_t y = 92521 - (w * 61681 >> 16);       // Q.15
+        for (int step = 0; step < 2; ++step) y = y * (65536 - (w * y >> 16)) >> 15;
+        part.b[k] = exact_part(b, whole, y);
+        part.c[k] = exact_part(c, whole, y);
     }
 }
 
 static void shade_facets_form(const ShadeJob& job, const TriangleBatch& batch,
                               const FacetNormals& normals, std::int32_t half_px,
-                              const FacetSample* samples, std::size_t count,
+                              const FacetSamples& list, std::size_t first, std::size_t count,
                               LeafLevels& out) {
     for (std::size_t at = 0; at < count; at += leaves) {
         const std::size_t some = count - at < leaves ? count - at : leaves;
         SampleGroup group;
         SampleEdges edges;
-        Lanes of_b, of_c, base, to_b, to_c;
+        Parts of;
+        Lanes base, to_b, to_c;
         LeafNormals mean;
         std::uint8_t number[leaves];
-        collect_samples(samples + at, some, half_px, group);
+        collect_samples(list, first + at, some, half_px, group);
         find_edges(batch, group, edges);
-        find_part(edges.b, edges, of_b);
-        find_part(edges.c, edges, of_c);
+        find_parts(edges, of);
         for (int axis = 0; axis < 3; ++axis) {
             take_words(normals.base[axis], group, base);
             take_words(normals.to_b[axis], group, to_b);
             take_words(normals.to_c[axis], group, to_c);
             for (int k = 0; k < leaves; ++k)
-                mean.n[axis][k] = base[k] + of_b[k] * to_b[k] + of_c[k] * to_c[k];
+                mean.n[axis][k] = base[k] + of.b[k] * to_b[k] + of.c[k] * to_c[k];
         }
         for (int k = 0; k < leaves; ++k)
             number[k] = static_cast<std::uint8_t>(at + static_cast<std::size_t>(k));
