@@ -103,14 +103,14 @@ struct CodePlane {
 
 inline constexpr int tile_lines = 64;
 struct FacetSamples {
-    static constexpr std::size_t most = 2048;
+    static constexpr std::size_t most = 2048 + 16;  // 16 places may be written in vain
     std::size_t count;
     std::uint64_t coded;  // samples with a code, kept or not
     std::int32_t z[most];        // or their codes, where there are codes
     std::uint32_t place[most];   // place_of
     std::uint16_t slot[most];
 
-    bool has_room(std::size_t more) const { return count + more < most; }
+    bool has_room(std::size_t more) const { return count + more + 16 < most; }
 };
 
 // Some columns of a triangle and some of its lines. The first centre is that of column 0. An edge's

@@ -132,7 +132,7 @@ struct TileLine {
 
 // The depths of a line's columns. `columns` is a constant where these are inlined.
 static inline void find_depths_of(const Tile& t, const TileColumns& at, const TileLine& line,
-                                  int columns, Lanes& __restrict z) {
+                                  int columns, std::int32_t* __restrict z) {
     for (int k = 0; k < columns; ++k)
         z[k] = wrapped(word(line.value) + word(at.quotient[k]) +
                        (line.rest + at.remainder[k] >= t.area ? 1u : 0u));
@@ -146,7 +146,7 @@ static inline void find_covered(const TileColumns& at, const TileLine& line, int
                                          31);
 }
 // Depths to codes; leaves those in `covered` that have one, and counts them in `coded`.
-static inline void find_codes(const CodePlane& plane, int columns, Lanes& __restrict z,
+static inline void find_codes(const CodePlane& plane, int columns, std::int32_t* __restrict z,
                               Lanes& __restrict covered, Lanes& __restrict coded) {
     for (int k = 0; k < columns; ++k) {
         const std::uint32_t code = code_of(z[k], plane);
@@ -155,8 +155,24 @@ static inline void find_codes(const CodePlane& plane, int columns, Lanes& __rest
         coded[k] -= covered[k];
     }
 }
+// A row's codes as words of the lanes' width: by whole vectors, so that they can be read as such.
+typedef std::uint16_t Codes8 __attribute__((vector_size(16)));
+typedef std::uint16_t Codes16 __attribute__((vector_size(32)));
+typedef std::int32_t Words8 __attribute__((vector_size(32)));
+typedef std::int32_t Words16 __attribute__((vector_size(64)));
+
 static inline void get_codes(const std::uint16_t* row, int columns, Lanes& __restrict kept) {
-    for (int k = 0; k < columns; ++k) kept[k] = row[k];
+    if (columns == 8) {
+        Codes8 codes;
+        __builtin_memcpy(&codes, row, sizeof codes);
+        const Words8 words = __builtin_convertvector(codes, Words8);
+        __builtin_memcpy(kept, &words, sizeof words);
+    } else {
+        Codes16 codes;
+        __builtin_memcpy(&codes, row, sizeof codes);
+        const Words16 words = __builtin_convertvector(codes, Words16);
+        __builtin_memcpy(kept, &words, sizeof words);
+    }
 }
 static inline std::uint64_t sum_of(const Lanes& v, int columns) {
     std::uint32_t sum = 0;
@@ -192,6 +208,14 @@ static inline std::uint32_t bits_of(const Lanes& mask, int columns) {
     return bits;
 }
 
+// Writes `columns` samples of which the first ones are a run.
+static inline void append_run(const std::int32_t* z, std::uint32_t place, std::uint16_t slot,
+                              int columns, FacetSamples& out, std::size_t at) {
+    for (int k = 0; k < columns; ++k) out.z[at + word(k)] = z[k];
+    for (int k = 0; k < columns; ++k) out.place[at + word(k)] = place + word(k);
+    for (int k = 0; k < columns; ++k) out.slot[at + word(k)] = slot;
+}
+
 // Into the list: those that do not lie behind what the plane has, or all if there is none.
 static inline void list_tile(const Tile& t, const TileColumns& at, const CodePlane& plane,
                              int columns, FacetSamples& out) {
@@ -200,8 +224,9 @@ static inline void list_tile(const Tile& t, const TileColumns& at, const CodePla
     if (row != nullptr) row += (std::size_t{t.py} << plane.xy_bits) + t.px;
     Lanes coded = {};
     std::size_t to = out.count;
+    std::int32_t z[2 * leaves] = {};
     for (int n = 0; n < t.lines; ++n) {
-        Lanes z, covered, kept;
+        Lanes covered, kept;
         find_depths_of(t, at, line, columns, z);
         find_covered(at, line, columns, covered);
         if (row != nullptr) {
@@ -211,11 +236,12 @@ static inline void list_tile(const Tile& t, const TileColumns& at, const CodePla
             row += std::size_t{1} << plane.xy_bits;
         }
         const std::uint32_t place = place_of(t.px, static_cast<std::uint16_t>(t.py + n));
-        for (std::uint32_t rest = bits_of(covered, columns); rest != 0; rest &= rest - 1) {
-            const int k = __builtin_ctz(rest);
-            out.z[to] = z[k];
-            out.place[to] = place + static_cast<std::uint32_t>(k);
-            out.slot[to++] = t.slot;
+        std::uint32_t rest = bits_of(covered, columns);
+        while (rest != 0) {  // as a rule one run
+            const int from = __builtin_ctz(rest), end = __builtin_ctz(~rest >> from) + from;
+            append_run(z + from, place + word(from), t.slot, columns, out, to);
+            to += static_cast<std::size_t>(end - from);
+            rest &= ~0u << end;
         }
         line.next(t);
     }
