@@ -296,6 +296,13 @@ static inline void take_words(const std::int32_t* from, const SampleGroup& g,
     }
 }
 
+// Shifts v down if it has bits above the lowest `step`, and returns by how much.
+static inline std::uint32_t drop(std::uint32_t& v, int step) {
+    const std::uint32_t down = (v >> step) != 0 ? static_cast<std::uint32_t>(step) : 0;
+    v >>= down;
+    return down;
+}
+
 static inline void find_edges(const TriangleBatch& t, const SampleGroup& g,
                               SampleEdges& __restrict e) {
     Lanes x[3], y[3];
@@ -315,12 +322,11 @@ static inline void find_edges(const TriangleBatch& t, const SampleGroup& g,
         const std::int64_t largest = ab < e.of_c[k] ? e.of_c[k] : ab;
         std::uint32_t above = static_cast<std::uint32_t>(
             static_cast<std::uint64_t>(largest) >> 24);  // not negative
-        std::uint32_t cut = 0;
-        for (std::uint32_t step = 16; step > 0; step /= 2) {
-            const std::uint32_t much = (above >> step) != 0 ? step : 0;
-            above >>= much;
-            cut += much;
-        }
+        std::uint32_t cut = drop(above, 16);
+        cut += drop(above, 8);
+        cut += drop(above, 4);
+        cut += drop(above, 2);
+        cut += drop(above, 1);
         cut += above;  // the last bit
         const auto less = [&](std::int64_t v) {
             return wrapped(static_cast<std::uint32_t>(static_cast<std::uint64_t>(v) >> cut));
@@ -347,19 +353,28 @@ static inline std::int32_t exact_part(std::uint32_t e, std::uint32_t whole, std:
     return wrapped(q) - (rest < 0 ? 1 : 0) + (rest >= wrapped(2 * whole) ? 1 : 0);
 }
 
+// Shifts `whole` up if its highest bits are 0, and returns by how much.
+static inline std::uint32_t lift(std::uint32_t& whole, int step) {
+    const std::uint32_t up = whole < 1u << (26 - step) ? static_cast<std::uint32_t>(step) : 0;
+    whole <<= up;
+    return up;
+}
+
 static inline void find_parts(const SampleEdges& e, Parts& __restrict part) {
     for (int k = 0; k < leaves; ++k) {
         std::uint32_t b = word(e.b[k]), c = word(e.c[k]);
         std::uint32_t whole = word(e.a[k]) + b + c;
-        for (std::uint32_t step = 16; step > 0; step /= 2) {
-            const std::uint32_t up = whole < (1u << (26 - step)) ? step : 0;
-            whole <<= up;
-            b <<= up;
-            c <<= up;
-        }
-        const std::uint32_t w = whole >> 10;               // Q.16
-        std::uint32_t y = 92521 - (w * 61681 >> 16);       // Q.15
-        for (int step = 0; step < 2; ++step) y = y * (65536 - (w * y >> 16)) >> 15;
+        std::uint32_t up = lift(whole, 16);
+        up += lift(whole, 8);
+        up += lift(whole, 4);
+        up += lift(whole, 2);
+        up += lift(whole, 1);
+        b <<= up;
+        c <<= up;
+        const std::uint32_t w = whole >> 10;                 // Q.16
+        const std::uint32_t y0 = 92521 - (w * 61681 >> 16);  // Q.15
+        const std::uint32_t y1 = y0 * (65536 - (w * y0 >> 16)) >> 15;
+        const std::uint32_t y = y1 * (65536 - (w * y1 >> 16)) >> 15;
         part.b[k] = exact_part(b, whole, y);
         part.c[k] = exact_part(c, whole, y);
     }

@@ -156,6 +156,24 @@ void add_row_forms() {
                                               *b.frame.rows, b.frame.lights[0].mask, form);
                 });
         }
+    // The same results, each divided by W: what a pass in perspective costs.
+    const auto divided = [](const Bench& b) {
+        hw::MatrixWords m = b.matrices.lights[0].observer_to_light;
+        m.affine = false;
+        return m;
+    };
+    for (const shadow::RowForm& form : shadow::row_forms()) {
+        if (!form.supported()) continue;
+        add(fmt::format("rows, nearest, in perspective: {}", form.name), 3,
+            [divided, &form](Bench& b, const shadow::Settings& s) {
+                shadow::post_process_rows(b.frame.maps(), divided(b), s, *b.frame.rows,
+                                          b.frame.lights[0].mask, form);
+            });
+    }
+    add("post-process, in perspective, plain form", 3,
+        [divided](Bench& b, const shadow::Settings& s) {
+            shadow::post_process(b.frame.maps(), divided(b), s, b.frame.lights[0].mask);
+        });
 }
 
 void add_all() {
