@@ -6,9 +6,10 @@
 //
 //   result = round(sum 2^shift / sum_w)
 //
-// is found by the reciprocal of sum_w, to 28 bits by Newton's steps, which every row uses, and is
-// then within one of the exact quotient; its rest decides, exact modulo 2^64. Where a small sum_w
-// leaves the estimate too coarse the divider's own definition is asked. hw/MACHINE.md, section 5.
+// is found by the reciprocal of sum_w, to 28 bits by Newton's steps, which every row uses. The
+// estimate's error has a bound; where that much more or less would round to another quotient (one
+// pixel in a thousand), and where a small sum_w leaves too few bits, the divider's own definition
+// is asked. So the results are exact. hw/MACHINE.md, section 5.
 #pragma once
 
 #include "shadow/post_process.hpp"
