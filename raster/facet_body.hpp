@@ -159,5 +159,6 @@ static void measure_form(const MeasureJob& job, TriangleBatch& batch) {
 }
 
 #include "raster/triangle_body.hpp"
+#include "raster/facet_shade_body.hpp"
 
 #endif

@@ -28,7 +28,8 @@ struct ShadeJob {
     bool two_sided;               // normals are turned to the viewer
 };
 
-// The levels of a block's leaves, or of a list's samples: for each channel its intensity and its direct shares.
+// The levels of a block's leaves, or of a list's samples: for each channel its intensity and its
+// direct shares.
 struct LeafLevels {
     static constexpr std::size_t planes = max_channels * (1 + max_sources);
     std::uint8_t level[planes][leaves * leaves];

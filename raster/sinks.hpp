@@ -110,7 +110,8 @@ public:
 
     // Whether a leaf's levels, which lie by planes already, come before those at an address: asked
     // where depths are equal.
-    [[gnu::noinline]] bool is_less(const LeafLevels& levels, std::size_t leaf, std::size_t address) const {
+    [[gnu::noinline]] bool is_less(const LeafLevels& levels, std::size_t leaf,
+                                   std::size_t address) const {
         const auto* plane = levels.level;
         for (std::size_t k = 0; k < channels_; ++k) {
             for (std::size_t l = 0; l <= sources_; ++l) {

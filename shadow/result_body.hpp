@@ -48,7 +48,7 @@ struct Reciprocals {
 // Shifts n up if its highest bits are 0, and returns by how much.
 static inline std::uint32_t lift(std::uint32_t& n, int step) {
     const std::uint32_t up = n < 1u << (32 - step) ? static_cast<std::uint32_t>(step) : 0;
-    n <<= up;
+    n = n << up;
     return up;
 }
 

@@ -8,10 +8,10 @@ namespace {
 
 using fixed::Rounding;
 
-int output_bits(const hw::MachineSpec& m, std::size_t row) {
+int result_bits(const hw::MachineSpec& m, std::size_t row) {
     return row == 2 ? m.z_bits + 1 : m.xy_bits + m.fraction_bits + 1;
 }
-int output_fraction(const hw::MachineSpec& m, std::size_t row) {
+int result_fraction(const hw::MachineSpec& m, std::size_t row) {
     return row == 2 ? m.depth_fraction() : m.fraction_bits;
 }
 
@@ -25,7 +25,7 @@ int sum_bits(const ShadowTest& s, const hw::MatrixWords& m, std::size_t row) {
 }
 
 int shift_of(const ShadowTest& s, const hw::MatrixWords& m, std::size_t row) {
-    const int fraction = output_fraction(s.machine, row);
+    const int fraction = result_fraction(s.machine, row);
     if (m.divides()) return hw::divide_shift(m, static_cast<hw::Row>(row), fraction);
     return hw::affine_shift(m, static_cast<hw::Row>(row), s.machine, hw::screen_words(s.machine),
                             fraction);
@@ -65,7 +65,7 @@ void first_result_line(const ShadowTest& s, const hw::MatrixWords& m, ResultLine
         const auto& c = m.word[r];
         ResultRow& row = line.row[r];
         row.shift = r < 3 ? shift_of(s, m, r) : 0;
-        row.bits = output_bits(spec, r);
+        row.bits = result_bits(spec, r);
         row.cut = std::max(0, sum_bits(s, m, r) - 31);
         row.z_coefficient = c[2];
         row.line = std::int64_t{c[1]} * first.y + std::int64_t{c[3]} * spec.one_word();
