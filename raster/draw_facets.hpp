@@ -121,12 +121,12 @@ private:
             batch.seen[k][slot] = v;
             any |= v.outside;
             common &= v.outside;
-            if constexpr (shades)
-                fixed::require(facet.normal[k] == Facet::flat ||
-                                   facet.normal[k] < mesh_->normals.size(),
-                               "facet: no such normal");
         }
         if ((any & SeenVertex::beyond_band) != 0) return false;
+        if constexpr (shades)
+            for (const std::uint32_t normal : facet.normal)
+                fixed::require(normal == Facet::flat || normal < mesh_->normals.size(),
+                               "facet: no such normal");
         if (!all && !setup_.draws([&] { return common != 0; })) return true;
         batch.facet[slot] = static_cast<std::uint32_t>(&facet - mesh_->facets.data());
         ++batch.count;

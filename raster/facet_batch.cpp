@@ -5,6 +5,8 @@
 namespace umbra78::raster {
 namespace {
 
+static_assert(FacetWalk::run == leaves);
+
 WideVector minus(const hw::Words& a, const hw::Words& b) {
     return {std::int64_t{a.x} - b.x, std::int64_t{a.y} - b.y, std::int64_t{a.z} - b.z};
 }
@@ -41,7 +43,7 @@ void SeenVertices::make(std::uint32_t group, FacetWalk& walk) {
 bool find_facet_normals(const Mesh& mesh, const Facet& facet, WordFormat object,
                         const UnitVector& viewer, const TriangleBatch& batch, std::size_t slot,
                         FacetNormals& out) {
-    if (facet.normal[0] == Facet::flat) return false;
+    if (batch.area[slot] >= std::int64_t{1} << 56) return false;  // the lanes cut to 24 of 56 bits
     std::array<WideVector, 3> n{};
     std::array<hw::Words, 3> place{};
     for (std::size_t k = 0; k < 3; ++k) {

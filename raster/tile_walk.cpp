@@ -19,6 +19,12 @@ static_assert(2 * reach <= INT32_MAX);
 constexpr std::int32_t max_inner = TileColumns::most * max_tiled;
 static_assert(std::int64_t{2} * max_inner <= INT32_MAX);
 
+// a + n b modulo 2^64: of a sliver's slope, which no two of its centres are apart for.
+std::int64_t wrapped_sum(std::int64_t a, std::int64_t n, std::int64_t b) {
+    const auto word = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
+    return static_cast<std::int64_t>(word(a) + word(n) * word(b));
+}
+
 }  // namespace
 
 TileWalk::TileWalk(const TriangleBatch& batch, std::size_t slot, std::int32_t half_px)
@@ -52,11 +58,11 @@ TileWalk::TileWalk(const TriangleBatch& batch, std::size_t slot, std::int32_t ha
         at_.quotient[k] = static_cast<std::int32_t>(at_column.quotient);
         at_.remainder[k] = at_column.remainder;
         for (std::size_t e = 0; e < 3; ++e) at_.edge[e][k] = k * right_[e];
-        at_column.quotient += column_.quotient;
+        at_column.quotient = wrapped_sum(at_column.quotient, 1, column_.quotient);
         at_column.remainder += column_.remainder;
         const bool carries = at_column.remainder >= area_;
         at_column.remainder -= carries ? area_ : 0;
-        at_column.quotient += carries ? 1 : 0;
+        at_column.quotient = wrapped_sum(at_column.quotient, 1, carries ? 1 : 0);
     }
 }
 
@@ -81,7 +87,9 @@ bool TileWalk::make(int py, Tile& out) const {
     if (columns != 0 || lines != 0) {
         const Fraction carried =
             over_area(near_.remainder + columns * column_.remainder + lines * line_.remainder);
-        depth.quotient += columns * column_.quotient + lines * line_.quotient + carried.quotient;
+        depth.quotient = wrapped_sum(depth.quotient, columns, column_.quotient);
+        depth.quotient = wrapped_sum(depth.quotient, lines, line_.quotient);
+        depth.quotient = wrapped_sum(depth.quotient, 1, carried.quotient);
         depth.remainder = carried.remainder;
     }
     out.slot = slot_;

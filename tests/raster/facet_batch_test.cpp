@@ -38,7 +38,9 @@ RandomMesh random_mesh(Random& random, int side, std::int64_t step, std::int64_t
     const auto any = [&](std::int64_t reach) {
         return static_cast<std::int32_t>(random.between(-reach, reach));
     };
-    const std::int32_t tilt = any(step / 2), x = any(1 << 17), y = any(1 << 17);
+    // In halves of a pixel, so that a straight view may meet pixels' centres.
+    const std::int32_t tilt = any(step / 2);
+    const std::int32_t x = any(1 << 7) * (1 << 10), y = any(1 << 7) * (1 << 10);
     for (int v = 0; v <= side; ++v) {
         for (int u = 0; u <= side; ++u) {
             const auto at = [&](int k) {
@@ -157,12 +159,13 @@ MeshCase random_case(Random& random, const RandomMesh& mesh) {
         c.spec.depth_rounding = static_cast<fixed::Rounding>(random.between(0, 6));
     // So that a pixel is 2^11 world words.
     const double extent = 1.0 / 32 * (1 << (c.spec.xy_bits - 1));
-    const double turn = static_cast<double>(random.between(-40, 40));
+    const bool straight = random.between(0, 2) == 0;
+    const double turn = straight ? 0 : static_cast<double>(random.between(-40, 40));
     const bool point = random.between(0, 3) == 0;
     c.view = point ? umbra78::test::perspective(turn, turn / 2, extent, 4 * extent, extent,
                                                 8 * extent)
                    : umbra78::test::orthographic(turn, turn / 2, extent);
-    if (turn == 0) c.view = umbra78::test::orthographic(0, 0, extent);
+    if (straight) c.view = umbra78::test::orthographic(0, 0, extent);
     c.light = umbra78::test::orthographic(static_cast<double>(random.between(-90, 90)), 40, extent);
     c.facing = static_cast<Facing>(random.between(0, 2));
     c.drawn = static_cast<Drawn>(random.between(0, 2));
