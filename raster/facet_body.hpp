@@ -17,7 +17,7 @@ static inline void see_row(const VertexRow& row, int axis, const Lanes* word_of,
                                          row.down);
         at[k] = narrow(v);
         outside[k] |= (v < -row.edge ? 1 << 2 * axis : 0) | (v > row.edge ? 2 << 2 * axis : 0) |
-                      ((v < -row.band) | (v > row.band) ? 1 << 6 : 0);
+                      (((v < -row.band) | (v > row.band)) ? 1 << 6 : 0);
     }
 }
 

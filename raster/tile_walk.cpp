@@ -68,7 +68,7 @@ TileWalk::TileWalk(const TriangleBatch& batch, std::size_t slot, std::int32_t ha
 
 // The frame's last columns belong to a tile that begins further left.
 void TileWalk::take_columns(int px) {
-    first_ = std::min(px, 2 * half_px_ - columns_);
+    first_ = std::min<std::int32_t>(px, 2 * half_px_ - columns_);
     for (int k = 0; k < columns_; ++k)
         at_.taken[k] = first_ + k >= px && first_ + k <= x1_ ? -1 : 0;
 }
@@ -96,7 +96,7 @@ bool TileWalk::make(int py, Tile& out) const {
     out.px = static_cast<std::uint16_t>(first_);
     out.py = static_cast<std::uint16_t>(py);
     out.columns = columns_;
-    out.lines = std::min(y1_ - py + 1, tile_lines);
+    out.lines = std::min<std::int32_t>(y1_ - py + 1, tile_lines);
     out.value = static_cast<std::int32_t>(depth.quotient);  // modulo 2^32: of no centre outside
     out.rest = depth.remainder;
     out.down_quotient = static_cast<std::int32_t>(line_.quotient);

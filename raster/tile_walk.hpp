@@ -55,7 +55,7 @@ private:
     std::array<std::int32_t, 3> right_, down_;
     int near_x_, near_y_;  // the pixel where the depth is found
     Fraction near_{}, column_{}, line_{};
-    int columns_, first_;  // of a tile; the first of the tiles now being made
+    std::int32_t columns_, first_;  // of a tile; the first of the tiles now being made
     TileColumns at_;
 };
 
