@@ -4,6 +4,7 @@
 #include "raster/block_form.hpp"
 #include "raster/casters.hpp"
 #include "raster/dice.hpp"
+#include "raster/facet_batch.hpp"
 #include "raster/projection.hpp"
 #include "raster/shading.hpp"
 #include "raster/view.hpp"
@@ -49,6 +50,7 @@ struct DrawSetup {
     Drawn drawn = Drawn::all;
     Casters casters{};  // of a light's map
     const BlockForm* blocks = nullptr;  // another than the fastest
+    bool batches_facets = true;         // where the forms cover them; else each by itself
 
     bool by_centres() const {
         return !hw::built(hw::Feature::leaf_sampling) || sampling == Sampling::centre;
@@ -85,6 +87,7 @@ struct DrawMemory {
     LeafLevels levels;
     struct Nothing {};
     std::conditional_t<hw::built(hw::Feature::dicing), DiceMemory, Nothing> dice;
+    std::conditional_t<hw::built(hw::Feature::triangles), FacetMemory, Nothing> facets;
 };
 
 }  // namespace umbra78::raster

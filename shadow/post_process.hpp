@@ -7,8 +7,8 @@
 // Its cost depends on the resolution alone: one transform a visible pixel, whatever was drawn.
 // `post_process` is the definition, one pixel at a time. `post_process_rows` runs the same
 // arithmetic one scan line at a time, in the lanes of the processor (shadow/row_form.hpp); it
-// covers words of 1978's widths, affine views and nearest or bilinear lookup (rows_cover). Tests
-// hold the two equal bit for bit.
+// covers codes of up to 16 bits and nearest or bilinear lookup, affine or in perspective
+// (rows_cover). Tests hold the two equal bit for bit.
 // Both read the depth maps (DepthMaps), write every byte of the mask, and trap if the maps or the
 // mask have other sizes than the machine.
 #pragma once
@@ -86,6 +86,7 @@ struct RowMemory {
     static constexpr int noise_words = widest_row * 2 * fixed::max_uniforms / 4;
     alignas(64) std::int32_t column_high[3][widest_row];
     alignas(64) std::int32_t column_low[3][widest_row];
+    alignas(64) std::int64_t column_wide[4][widest_row];  // of result_form.hpp
     union {  // what the plain form keeps between its loops, or the sums of the lanes' noise
         alignas(64) std::int32_t result[3][widest_row];
         alignas(64) std::uint16_t noise_sums[noise_words];
