@@ -106,10 +106,16 @@ void BlockWalk::push_patch(const Patch& patch) {
     for (std::size_t c = 0; c < 3; ++c) b.world[c] = component_from_bezier(place[c]);
 }
 
+// A block without lines in the band is outside, too: no sample of it is drawn.
+BlockAction BlockWalk::in_band(BlockAction action, const ScreenBounds& bounds) const {
+    if (setup_.band.all() || action == BlockAction::outside) return action;
+    return meets(setup_.band, bounds, setup_.spec) ? action : BlockAction::outside;
+}
+
 BlockAction BlockWalk::action(const StackBlock& b, ScreenBounds& bounds) const {
     if (affine()) {
         bounds = affine_bounds(first<3>(b.screen));
-        return block_action(bounds, setup_.spec);
+        return in_band(block_action(bounds, setup_.spec), bounds);
     }
     const auto either = [&] {
         return b.level_u <= b.level_v ? BlockAction::split_u : BlockAction::split_v;
@@ -119,7 +125,7 @@ BlockAction BlockWalk::action(const StackBlock& b, ScreenBounds& bounds) const {
         case Visibility::unknown: return either();
         case Visibility::bounded: break;
     }
-    const BlockAction by_rule = block_action(bounds, setup_.spec);
+    const BlockAction by_rule = in_band(block_action(bounds, setup_.spec), bounds);
     return by_rule == BlockAction::split_u && unbounded_both_ways(bounds) ? either() : by_rule;
 }
 

@@ -72,6 +72,7 @@ public:
 private:
     bool affine() const { return !setup_.matrix.divides(); }
     BlockAction action(const StackBlock& b, ScreenBounds& bounds) const;
+    BlockAction in_band(BlockAction action, const ScreenBounds& bounds) const;
     void split(bool along_u);
 
     const DrawSetup& setup_;
@@ -101,6 +102,7 @@ struct Emitter {
     template <class Shading>
     void operator()(const Sample& s, const Shading* shading, std::int64_t offset = 0) const {
         std::uint32_t code = 0;
+        if (!setup.band.has(s.py)) return;
         if (code_of(s.z, offset, code)) sink.sample(s, code, shading);
     }
 };
@@ -147,6 +149,7 @@ void keep_samples(const DrawSetup& setup, DrawMemory& memory, const Emitter<Samp
         const Sample whole = sample_of(s, setup.spec.half_px());
         std::int64_t offset = 0;
         std::uint32_t code = 0;
+        if (!setup.band.has(whole.py)) continue;
         if (!is_cast(setup, memory.corners, whole, offset)) continue;
         if (!emit.code_of(s.z, offset, code)) continue;
         list.sample[kept] = s;
@@ -210,7 +213,8 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
                   const DrawSetup& setup, DrawMemory& memory, const Emitter<SampleSink>& emit) {
     DrawCounts& counts = emit.counts;
     const BlockForm& form = setup.blocks != nullptr ? *setup.blocks : fastest_block_form();
-    BlockWalk walk(setup, memory, SampleSink::shades, counts);
+    DrawCounts walked;  // of a band they are the census's to count
+    BlockWalk walk(setup, memory, SampleSink::shades, walked);
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
         const Material* material = material_of<SampleSink>(patch.material, setup);
@@ -219,23 +223,25 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
             walk.drop_patch();
             continue;
         }
-        ++counts.patches;
+        ++walked.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            const Footprint reached = footprint(bounds, setup.spec);
+            const Footprint whole = footprint(bounds, setup.spec);
+            const Footprint reached = clipped(whole, setup.band);
             if (setup.leaves_out_hidden && emit.sink.hidden(reached)) {
                 ++counts.hidden_blocks;
                 continue;
             }
             if constexpr (requires { emit.sink.expect(reached); }) emit.sink.expect(reached);
             if (!walk.make_corners(form)) {
-                ++counts.unresolved;
+                counts.unresolved += setup.band.has(whole.y0) ? 1 : 0;
                 continue;
             }
             ++counts.blocks;
             sample_block(setup, memory, form, walk.block(), material, emit);
         }
     }
+    if (setup.band.all()) counts += walked;
 }
 
 // `all`: whatever setup.drawn says, for a mesh that was chosen as a whole.

@@ -1,6 +1,7 @@
 // What a drawing is asked for (DrawSetup), and the memory that it works in.
 #pragma once
 
+#include "hw/band.hpp"
 #include "raster/block_form.hpp"
 #include "raster/casters.hpp"
 #include "raster/dice.hpp"
@@ -49,6 +50,7 @@ struct DrawSetup {
     Drawn drawn = Drawn::all;
     Casters casters{};  // of a light's map
     const BlockForm* blocks = nullptr;  // another than the fastest
+    hw::Band band{};  // samples of other lines are left out, and blocks that have none in it
 
     bool by_centres() const {
         return !hw::built(hw::Feature::leaf_sampling) || sampling == Sampling::centre;

@@ -174,7 +174,7 @@ void start_row_noise(const RowLine& line, std::uint32_t* words) {
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask,
-                                    const RowForm& form) {
+                                    const RowForm& form, hw::Band band) {
     const hw::MachineSpec& m = settings.machine;
     check(maps, m, mask);
     fixed::require(rows_cover(settings, matrix),
@@ -184,14 +184,19 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
     RowLine line = line_of(settings, light);
     const auto run = lanes_cover(settings) ? form.run : plain_row;
     if (line.uniforms > 0) line.noise = fixed::NoiseRegister(settings.dither.seed);
-    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(
-        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms));
+    const std::uint64_t bits_of_line =
+        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms);
+    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(bits_of_line);
     line.whole = run != plain_row && fits_whole(settings, matrix);
     column_shares(settings, matrix, line.whole, memory);
     std::array<LineSum, 3> sums{first_line(settings, matrix, 0), first_line(settings, matrix, 1),
                                 first_line(settings, matrix, 2)};
+    band = band.within(line.width);
+    for (LineSum& sum : sums) sum.value += sum.step * band.first;
+    if (line.uniforms > 0)
+        line.noise.jump(static_cast<std::uint64_t>(band.first) * bits_of_line);
     PostProcessCounts counts;
-    for (line.y = 0; line.y < line.width; ++line.y) {
+    for (line.y = band.first; line.y < band.end; ++line.y) {
         line.depth = maps.observer.depth.data() + maps.observer.address(0, line.y);
         line.mask = mask.data() + maps.observer.address(0, line.y);
         for (std::size_t r = 0; r < 3; ++r) set_share(sums[r], line.whole, line.share[r]);
@@ -205,8 +210,9 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
 
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
-                                    RowMemory& memory, std::span<std::uint8_t> mask) {
-    return post_process_rows(maps, matrix, settings, memory, mask, fastest_row_form());
+                                    RowMemory& memory, std::span<std::uint8_t> mask,
+                                    hw::Band band) {
+    return post_process_rows(maps, matrix, settings, memory, mask, fastest_row_form(), band);
 }
 
 }  // namespace umbra78::shadow

@@ -5,6 +5,7 @@
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
 #include "shadow/frame/plan.hpp"
+#include "shadow/frame/shared_drawing.hpp"
 #include "shadow/midpoint.hpp"
 
 #include <array>
@@ -50,6 +51,8 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
         fits = fits && first.joined.size() == pixels && first.edges.size() == pixels &&
                first.filtered.size() == pixels;
     }
+    fixed::require(frame.executor.workers <= frame.workers,
+                   "frame carved for fewer workers than the executor has");
     fixed::require(missing_feature(in.scene, in.settings).empty(),
                    "this build leaves out a stage that is asked for");
     fixed::require(fits, "frame carved for other widths than the settings have");
@@ -168,6 +171,9 @@ raster::DrawCounts draw_surfaces(const raster::Surfaces& surfaces, const raster:
     const std::span order =
         patches <= frame.order.size() ? frame.order.first(patches) : std::span<std::uint32_t>();
     if (!order.empty()) raster::order_front_to_back(surfaces.patches, view, order, frame.nearest);
+    if constexpr (BandSink<Sink>) {
+        if (frame.executor.shares()) return draw_shared(surfaces, order, setup, frame, sink);
+    }
     return raster::draw(surfaces, order, setup, *frame.draw, sink);
 }
 
