@@ -1,8 +1,7 @@
-// The census of a view's blocks: what Catmull's subdivision makes of the patches, without drawing.
+// The census of a view: about how much there is to draw on each line, without drawing it.
 //
-// It is what a drawing that is shared out by bands of lines needs to know beforehand: how many
-// blocks there are about each line, so that the bands can be cut to equal work; and what such a
-// drawing cannot count itself, because a patch that lies in two bands is walked in both.
+// A drawing that is shared out by bands of lines is cut by it to equal work. It walks Catmull's
+// subdivision down to blocks of about 4 x 4 that will be drawn, an eighth of the whole tree.
 #pragma once
 
 #include "raster/draw.hpp"
@@ -14,22 +13,22 @@
 
 namespace umbra78::raster {
 
-struct BlockCensus {
+struct Census {
     static constexpr int strips = 64;  // of size_px / 64 lines each, or of one
 
-    DrawCounts counts;        // patches, tested_blocks, splits, and unresolved but for quotients
-    bool cut_short = false;   // a patch has used up its splits: what is drawn of it depends on it
-    std::array<std::uint32_t, strips> blocks{};  // by the strip of their middle line
+    std::array<std::uint64_t, strips> pixels{};  // that the blocks' footprints have in a strip
+    // No patch can use up its splits. Where one does, what is drawn of it depends on all of its
+    // blocks that came before, and bands, which leave some of these out, would draw more.
+    bool splits_suffice = true;
 
-    BlockCensus& operator+=(const BlockCensus& more);
+    Census& operator+=(const Census& more);
 };
 
-// Of these patches in any order, by Catmull's subdivision.
-BlockCensus count_blocks(std::span<const Patch> patches, const DrawSetup& setup,
-                         DrawMemory& memory);
+// Of these patches, in any order.
+Census take_census(std::span<const Patch> patches, const DrawSetup& setup, DrawMemory& memory);
 
-// Cuts a frame into bands of as many blocks each as its strips allow; returns how many there are,
+// Cuts a frame into bands with as much work each as its strips allow; returns how many there are,
 // at most as many as `out` has, and at least one.
-std::size_t cut_bands(const BlockCensus& census, const MachineSpec& spec, std::span<hw::Band> out);
+std::size_t cut_bands(const Census& census, const MachineSpec& spec, std::span<hw::Band> out);
 
 }  // namespace umbra78::raster

@@ -58,21 +58,28 @@ public:
 
     void push_patch(const Patch& patch);
     // Whether the patch pushed last is out of the view as a whole, and how it is taken off again.
-    bool outside() const {
+    bool outside() {
         ScreenBounds bounds;
-        return action(memory_.stack[depth_ - 1], bounds) == BlockAction::outside;
+        return decide(memory_.stack[depth_ - 1], bounds).action == BlockAction::outside;
     }
     void drop_patch() { --depth_; }
-    // Pops, splits and pushes until a block is ready to be drawn; false when none is left.
-    bool next(ScreenBounds& bounds);
+    // Pops, splits and pushes until a block is ready to be drawn, or no larger than `scale` such
+    // blocks each way; false when none is left.
+    bool next(ScreenBounds& bounds, int scale = 1);
+    // Whether the popped block is for this band to count. It is for one, though several draw it.
+    bool counted() const { return setup_.band.has(block().line); }
     // The popped block's corners; false if it had to be dropped.
     bool make_corners(const BlockForm& form);
     const StackBlock& block() const { return memory_.stack[depth_]; }
 
 private:
     bool affine() const { return !setup_.matrix.divides(); }
-    BlockAction action(const StackBlock& b, ScreenBounds& bounds) const;
-    BlockAction in_band(BlockAction action, const ScreenBounds& bounds) const;
+    struct Decision {
+        BlockAction action;
+        bool bounded;  // whether its bounds are known
+    };
+    Decision decide(StackBlock& b, ScreenBounds& bounds) const;
+    Decision in_band(StackBlock& b, BlockAction action, const ScreenBounds& bounds) const;
     void split(bool along_u);
 
     const DrawSetup& setup_;
@@ -213,8 +220,7 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
                   const DrawSetup& setup, DrawMemory& memory, const Emitter<SampleSink>& emit) {
     DrawCounts& counts = emit.counts;
     const BlockForm& form = setup.blocks != nullptr ? *setup.blocks : fastest_block_form();
-    DrawCounts walked;  // of a band they are the census's to count
-    BlockWalk walk(setup, memory, SampleSink::shades, walked);
+    BlockWalk walk(setup, memory, SampleSink::shades, counts);
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[order.empty() ? k : order[k]];
         const Material* material = material_of<SampleSink>(patch.material, setup);
@@ -223,25 +229,22 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
             walk.drop_patch();
             continue;
         }
-        ++walked.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            const Footprint whole = footprint(bounds, setup.spec);
-            const Footprint reached = clipped(whole, setup.band);
+            const Footprint reached = clipped(footprint(bounds, setup.spec), setup.band);
             if (setup.leaves_out_hidden && emit.sink.hidden(reached)) {
                 ++counts.hidden_blocks;
                 continue;
             }
             if constexpr (requires { emit.sink.expect(reached); }) emit.sink.expect(reached);
             if (!walk.make_corners(form)) {
-                counts.unresolved += setup.band.has(whole.y0) ? 1 : 0;
+                counts.unresolved += walk.counted() ? 1 : 0;
                 continue;
             }
             ++counts.blocks;
             sample_block(setup, memory, form, walk.block(), material, emit);
         }
     }
-    if (setup.band.all()) counts += walked;
 }
 
 // `all`: whatever setup.drawn says, for a mesh that was chosen as a whole.

@@ -74,6 +74,7 @@ struct StackBlock {
     std::array<Component, 4> screen;  // x, y, z, or X, Y, Z, W
     std::array<Component, 3> world;   // only where the sink shades
     int level_u, level_v;
+    int line;  // of the frame: the worker whose band has it counts the block
 };
 
 // A split takes one block from the stack and puts two back, so the stack grows by one a level; the

@@ -11,22 +11,11 @@ Footprint whole_frame(const MachineSpec& spec) {
     return {0, 0, last, last, 0, spec.deepest_drawn()};
 }
 
-namespace {
-
-// The pixel that holds a place, or the frame's pixel next to it.
-int held_pixel(std::int64_t place, const MachineSpec& spec) {
-    const std::int64_t p = fixed::floor_shift(place, raster_fraction) + spec.half_px();
-    return static_cast<int>(std::clamp<std::int64_t>(p, 0, spec.size_px() - 1));
-}
-
-}  // namespace
-
-bool meets(const hw::Band& band, const ScreenBounds& b, const MachineSpec& spec) {
-    return band.meets(held_pixel(b[1].min - slack, spec), held_pixel(b[1].max + slack, spec));
-}
-
 Footprint footprint(const ScreenBounds& b, const MachineSpec& spec) {
-    const auto pixel = [&](std::int64_t v) { return held_pixel(v, spec); };
+    const auto pixel = [&](std::int64_t v) {
+        const std::int64_t p = fixed::floor_shift(v, raster_fraction) + spec.half_px();
+        return static_cast<int>(std::clamp<std::int64_t>(p, 0, spec.size_px() - 1));
+    };
     const std::int64_t one_quantum = std::int64_t{1} << depth_guard(spec);
     Footprint f{pixel(b[0].min - slack), pixel(b[1].min - slack), pixel(b[0].max + slack),
                 pixel(b[1].max + slack), 0, spec.deepest_drawn()};

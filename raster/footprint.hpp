@@ -25,9 +25,7 @@ Footprint whole_frame(const MachineSpec& spec);
 // are computed; 0 or the deepest code drawn where that is outside the volume.
 Footprint footprint(const ScreenBounds& bounds, const MachineSpec& spec);
 
-// Whether the footprint of these bounds has lines of the band.
-bool meets(const hw::Band& band, const ScreenBounds& bounds, const MachineSpec& spec);
-// Those lines alone.
+// Its lines in a band alone.
 constexpr Footprint clipped(Footprint f, const hw::Band& band) {
     if (f.y0 < band.first) f.y0 = band.first;
     if (f.y1 >= band.end) f.y1 = band.end - 1;

@@ -8,6 +8,7 @@
 #include "shadow/frame/shared_drawing.hpp"
 #include "shadow/midpoint.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -206,11 +207,30 @@ raster::DrawCounts draw_map_view(const FrameInputs& in, const FramePlan& plan, s
     return into(sink);
 }
 
+// FrameStore::clear().
+template <class Depth>
+void clear_store(const FrameInputs& in, const hw::FrameStore<Depth>& store,
+                 const Executor& executor) {
+    const std::size_t pixels = store.depth.size();
+    for_bands(executor, store.size_px(), [&](hw::Band band, std::size_t) {
+        const std::size_t first = store.address(0, band.first);
+        const std::size_t count = store.address(0, band.end) - first;
+        const auto fill = [&](auto planes, auto value) {
+            for (std::size_t p = 0; p < planes.size(); p += pixels)
+                std::fill_n(planes.data() + p + first, count, value);
+        };
+        fill(store.depth, static_cast<Depth>(in.settings.machine.background()));
+        fill(store.intensity, std::uint8_t{0});
+        fill(store.direct, std::uint8_t{0});
+        fill(store.normal, hw::no_normal);
+    });
+}
+
 // Before the first of a map's surfaces, and after the last.
 template <class Depth>
-void clear_map(const FrameInputs& in, LightBuffers<Depth>& light) {
-    light.map.clear(in.settings.machine);
-    if (map_layers(in.settings) > 1) light.second.clear(in.settings.machine);
+void clear_map(const FrameInputs& in, LightBuffers<Depth>& light, const Executor& executor) {
+    clear_store(in, light.map, executor);
+    if (map_layers(in.settings) > 1) clear_store(in, light.second, executor);
 }
 template <class Depth>
 void finish_map(const FrameInputs& in, LightBuffers<Depth>& light) {

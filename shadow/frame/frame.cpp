@@ -52,7 +52,7 @@ void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     }
     hw::FrameStore<Depth>& map = frame.lights[l].map;
     counts.lights[l].map = {};
-    clear_map(in, frame.lights[l]);
+    clear_map(in, frame.lights[l], frame.executor);
     if (plan.leaves_out(Omission::light_map, l)) return;
     const auto into = [&](auto sink) {
         counts.lights[l].map = draw_map_view(in, plan, l, frame, sink);
@@ -192,7 +192,7 @@ void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
     if (!tested && plan.leaves_out(Omission::same_depth)) {
         clear_intensities(in.settings.machine, store);
     } else {
-        store.clear(in.settings.machine);
+        clear_store(in, store, frame.executor);
     }
     if (tested) {
         method.stages<Depth>().draw(in, plan, frame, counts);

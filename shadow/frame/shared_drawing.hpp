@@ -35,13 +35,17 @@ concept StoreSink = requires(const Sink& sink, hw::FrameStore<Depth>& other) {
 
 namespace detail {
 
-// Of all bands, which went through all surfaces each: what they sampled, of each; the rest, of one.
+// Of all bands. A block is counted by one of them, a sample is drawn by one of them; and all go
+// through all facets, so that what is counted of these is the same in each.
 struct BandCounts {
     std::array<raster::DrawCounts, max_parts> of{};
 
     raster::DrawCounts sum(std::size_t bands) const {
         raster::DrawCounts all = of[0];
         for (std::size_t p = 1; p < bands; ++p) {
+            all.patches += of[p].subdivided();
+            all.tested_blocks += of[p].tested_blocks;
+            all.splits += of[p].splits;
             all.unresolved += of[p].unresolved;
             all.blocks += of[p].blocks;
             all.samples += of[p].samples;
@@ -69,14 +73,14 @@ raster::DrawCounts draw_in_bands(const raster::Surfaces& surfaces,
 }
 
 template <class Depth>
-raster::BlockCensus census_of(std::span<const raster::Patch> patches,
+raster::Census census_of(std::span<const raster::Patch> patches,
                               const raster::DrawSetup& setup, FrameBuffers<Depth>& frame) {
-    std::array<raster::BlockCensus, max_parts> counted{};
+    std::array<raster::Census, max_parts> counted{};
     const std::size_t parts = parts_of(frame.executor, patches.size(), 1);
     frame.executor(parts, [&](std::size_t p, std::size_t worker) {
         const std::size_t from = patches.size() * p / parts, to = patches.size() * (p + 1) / parts;
-        counted[p] = raster::count_blocks(patches.subspan(from, to - from), setup,
-                                          frame.draw[worker]);
+        counted[p] = raster::take_census(patches.subspan(from, to - from), setup,
+                                         frame.draw[worker]);
     });
     for (std::size_t p = 1; p < parts; ++p) counted[0] += counted[p];
     return counted[0];
@@ -88,19 +92,12 @@ raster::DrawCounts draw_patches_shared(std::span<const raster::Patch> patches,
                                        std::span<const std::uint32_t> order,
                                        const raster::DrawSetup& setup, FrameBuffers<Depth>& frame,
                                        Sink& sink) {
-    const raster::BlockCensus census = census_of(patches, setup, frame);
-    // What is drawn of such a patch depends on all blocks before: a band would draw more of it.
-    if (census.cut_short) return raster::draw(patches, order, setup, *frame.draw, sink);
+    const raster::Census census = census_of(patches, setup, frame);
+    if (!census.splits_suffice) return raster::draw(patches, order, setup, *frame.draw, sink);
     std::array<hw::Band, max_parts> cut;
     const std::size_t bands = raster::cut_bands(
         census, setup.spec, std::span(cut).first(2 * frame.executor.workers));
-    raster::DrawCounts counts = draw_in_bands(patches, order, setup, std::span(cut).first(bands),
-                                              frame, sink);
-    counts.patches = census.counts.patches;
-    counts.tested_blocks = census.counts.tested_blocks;
-    counts.splits = census.counts.splits;
-    counts.unresolved += census.counts.unresolved;
-    return counts;
+    return draw_in_bands(patches, order, setup, std::span(cut).first(bands), frame, sink);
 }
 
 // Facets, or patches that are diced to facets: each part into the store of who draws it.

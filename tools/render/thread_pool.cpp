@@ -11,7 +11,8 @@ std::size_t workers_for(int threads) {
 }
 
 ThreadPool::ThreadPool(std::size_t workers) {
-    for (std::size_t w = 1; w < workers; ++w) threads_.emplace_back([this, w] { wait_for_work(w); });
+    for (std::size_t w = 1; w < workers; ++w)
+        threads_.emplace_back([this, w] { wait_for_work(w); });
 }
 
 ThreadPool::~ThreadPool() {

@@ -1,4 +1,4 @@
-// A frame that is shared out among workers: the same bits, counts and costs with any number of them.
+// A frame that is shared out among workers has the same bits, counts and costs with any number.
 #include "raster/census.hpp"
 #include "shadow/frame/drawing.hpp"
 #include "shadow/frame/frame.hpp"
@@ -132,37 +132,10 @@ TEST(Workers, AreNoMoreThanTheFrameWasCarvedFor) {
 
 // --- how the work is cut -------------------------------------------------------------------------
 
-raster::BlockCensus census(const raster::DrawSetup& setup,
-                           std::span<const raster::Patch> patches) {
-    const auto memory = std::make_unique<raster::DrawMemory>();
-    return raster::count_blocks(patches, setup, *memory);
-}
-
-TEST(Census, CountsWhatADrawingCounts) {
-    for (const char* name : {"figure 6", "perspective", "floor"}) {
-        SCOPED_TRACE(name);
-        const PlannedScene planned = test::planned_scene(name);
-        PlannedFrame frame(planned);
-        const FrameInputs& in = frame.inputs;
-        const raster::DrawSetup setup =
-            draw_setup(in, FramePlan{}, in.matrices.world_to_observer);
-        frame.draw(FramePlan{});
-        const raster::DrawCounts& drawn = frame.frame.counts.observer;
-        const raster::BlockCensus counted = census(setup, planned.patches);
-        EXPECT_EQ(counted.counts.patches, drawn.patches);
-        EXPECT_EQ(counted.counts.tested_blocks, drawn.tested_blocks);
-        EXPECT_EQ(counted.counts.splits, drawn.splits);
-        std::uint64_t blocks = 0;
-        for (const std::uint32_t n : counted.blocks) blocks += n;
-        EXPECT_EQ(blocks, drawn.blocks + drawn.hidden_blocks);
-        EXPECT_FALSE(counted.cut_short);
-    }
-}
-
 TEST(Census, CutsBandsOfAboutEqualWork) {
-    raster::BlockCensus census;
+    raster::Census census;
     hw::MachineSpec spec;  // 512 lines, so eight a strip
-    for (std::size_t k = 16; k < 48; ++k) census.blocks[k] = 10;
+    for (std::size_t k = 16; k < 48; ++k) census.pixels[k] = 10;
     std::array<hw::Band, 4> bands;
     ASSERT_EQ(raster::cut_bands(census, spec, bands), 4u);
     EXPECT_EQ(bands[0].first, 0);
@@ -179,6 +152,51 @@ TEST(Census, CutsBandsOfAboutEqualWork) {
     }
     ASSERT_EQ(raster::cut_bands({}, spec, bands), 1u) << "nothing to draw";
     EXPECT_EQ(bands[0].end, 16);
+}
+
+TEST(Census, IsOfThePixelsThatAreDrawn) {
+    const PlannedScene planned = test::planned_scene("figure 6");
+    PlannedFrame frame(planned);
+    const FrameInputs& in = frame.inputs;
+    frame.draw(FramePlan{});
+    const raster::Census census =
+        raster::take_census(planned.patches, draw_setup(in, FramePlan{},
+                                                        in.matrices.world_to_observer),
+                            *frame.frame.buffers.draw);
+    EXPECT_TRUE(census.splits_suffice);
+    const int size = in.settings.machine.size_px();
+    const LineSet visible = lines_with_visible<hw::Depth16>(
+        frame.frame.buffers.observer.depth, size, in.settings.machine.background());
+    std::uint64_t all = 0;
+    for (int y = 0; y < size; ++y)
+        if (visible.has(y)) {
+            EXPECT_GT(census.pixels[static_cast<std::size_t>(y * 64 / size)], 0u) << "line " << y;
+        }
+    for (const std::uint64_t n : census.pixels) all += n;
+    EXPECT_GT(all, frame.frame.counts.observer.samples);
+    EXPECT_LT(all, 4 * frame.frame.counts.observer.samples);
+}
+
+// A line through the eye uses up its splits. It is drawn by one worker, and so as by one alone.
+TEST(Census, SeesAPatchThatUsesUpItsSplits) {
+    PlannedScene planned = test::planned_figure("through the eye", 3);
+    planned.settings.machine.coefficient_bits = 24;
+    planned.settings.machine.xy_bits = 4;
+    raster::View& view = planned.observer;
+    view.projection = raster::Projection::perspective;
+    view.distance = 5 << 16;
+    view.extent = 1;
+    view.near_depth = 1;
+    view.far_depth = 20 << 16;
+    planned.patches = {raster::plane_patch({{0, 0, 6 << 16}, {0, 0, -(2 << 16)}, {}, 0}),
+                       raster::plane_patch({{-(7 << 16), -(7 << 16), 4 << 16}, {14 << 16, 0, 0},
+                                            {0, 14 << 16, 0}, 0})};
+    Shuffled workers(3);
+    PlannedFrame one(planned), many(planned, false, workers.executor());
+    one.draw(FramePlan{});
+    many.draw(FramePlan{});
+    EXPECT_GE(one.frame.counts.observer.splits, raster::max_splits);
+    expect_same(one, many);
 }
 
 }  // namespace
