@@ -40,20 +40,28 @@ public:
 
     void push_patch(const Patch& patch);
     // Whether the patch pushed last is out of the view as a whole, and how it is taken off again.
-    bool outside() const {
+    bool outside() {
         ScreenBounds bounds;
-        return action(memory_.stack[depth_ - 1], bounds) == BlockAction::outside;
+        return decide(memory_.stack[depth_ - 1], bounds).action == BlockAction::outside;
     }
     void drop_patch() { --depth_; }
-    // Pops, splits and pushes until a block is ready to be drawn; false when none is left.
-    bool next(ScreenBounds& bounds);
+    // Pops, splits and pushes until a block is ready to be drawn, or no larger than `scale` such
+    // blocks each way; false when none is left.
+    bool next(ScreenBounds& bounds, int scale = 1);
+    // Whether the popped block is for this band to count. It is for one, though several draw it.
+    bool counted() const { return setup_.band.has(block().line); }
     // The popped block's corners; false if it had to be dropped.
     bool make_corners(const BlockForm& form);
     const StackBlock& block() const { return memory_.stack[depth_]; }
 
 private:
     bool affine() const { return !setup_.matrix.divides(); }
-    BlockAction action(const StackBlock& b, ScreenBounds& bounds) const;
+    struct Decision {
+        BlockAction action;
+        bool bounded;  // whether its bounds are known
+    };
+    Decision decide(StackBlock& b, ScreenBounds& bounds) const;
+    Decision in_band(StackBlock& b, BlockAction action, const ScreenBounds& bounds) const;
     void split(bool along_u);
 
     const DrawSetup& setup_;
@@ -98,6 +106,7 @@ void keep_samples(const DrawSetup& setup, DrawMemory& memory, const Emitter<Samp
         const Sample whole = sample_of(s, setup.spec.half_px());
         std::int64_t offset = 0;
         std::uint32_t code = 0;
+        if (!setup.band.has(whole.py)) continue;
         if (!is_cast(setup, memory.corners, whole, offset)) continue;
         if (!emit.code_of(s.z, offset, code)) continue;
         list.sample[kept] = s;
@@ -170,17 +179,16 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
             walk.drop_patch();
             continue;
         }
-        ++counts.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            const Footprint reached = footprint(bounds, setup.spec);
+            const Footprint reached = clipped(footprint(bounds, setup.spec), setup.band);
             if (setup.leaves_out_hidden && emit.sink.hidden(reached)) {
                 ++counts.hidden_blocks;
                 continue;
             }
             if constexpr (requires { emit.sink.expect(reached); }) emit.sink.expect(reached);
             if (!walk.make_corners(form)) {
-                ++counts.unresolved;
+                counts.unresolved += walk.counted() ? 1 : 0;
                 continue;
             }
             ++counts.blocks;

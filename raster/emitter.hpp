@@ -49,6 +49,7 @@ struct Emitter {
     template <class Shading>
     void operator()(const Sample& s, const Shading* shading, std::int64_t offset = 0) const {
         std::uint32_t code = 0;
+        if (!setup.band.has(s.py)) return;
         if (code_of(s.z, offset, code)) sink.sample(s, code, shading);
     }
 };

@@ -6,7 +6,9 @@
 // A nearer sample replaces what is stored; at equal Z the smaller (intensity, direct shares,
 // normal) does.
 // So the store holds the smallest record in whatever order the samples come, and blocks may be
-// skipped where they are hidden, reordered or shared out.
+// skipped where they are hidden, reordered or shared out: to copies of a sink that draw different
+// lines at the same time (`by_pixel`: a sample reads and writes its own pixel alone), or to sinks
+// with stores of their own (`into`), which are merged afterwards (merge.hpp).
 #pragma once
 
 #include "hw/features.hpp"
@@ -62,8 +64,11 @@ void expect_pixels(const Word* plane, int xy_bits, const Footprint& f) {
 
 template <class Depth>
 struct DepthSink {
-    static constexpr bool shades = false;
+    static constexpr bool shades = false, by_pixel = true;
     hw::FrameStore<Depth>& store;
+
+    DepthSink into(hw::FrameStore<Depth>& other) const { return {other}; }
+    hw::FrameStore<Depth> target() const { return {store.xy_bits, store.depth}; }
 
     bool hidden(const Footprint& f) const { return all_nearer(store, f); }
     void expect(const Footprint& f) const { expect_pixels(store.depth.data(), store.xy_bits, f); }
@@ -177,9 +182,12 @@ private:
 template <class Depth>
 class PictureSink {
 public:
-    static constexpr bool shades = true;
+    static constexpr bool shades = true, by_pixel = true;
 
     PictureSink(hw::FrameStore<Depth>& store) : store_(store), planes_(store), normals_(store) {}
+
+    PictureSink into(hw::FrameStore<Depth>& other) const { return PictureSink(other); }
+    const hw::FrameStore<Depth>& target() const { return store_; }
 
     bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
     void expect(const Footprint& f) const {

@@ -18,7 +18,7 @@ namespace umbra78::shadow {
 // Both stores were cleared to the background.
 template <class Depth>
 struct MidpointSink {
-    static constexpr bool shades = false;
+    static constexpr bool shades = false, by_pixel = true;
     hw::FrameStore<Depth>& nearest;
     hw::FrameStore<Depth> second;
 

@@ -13,6 +13,7 @@
 // mask have other sizes than the machine.
 #pragma once
 
+#include "hw/band.hpp"
 #include "shadow/compare.hpp"
 #include "shadow/depth_maps.hpp"
 #include "shadow/kept_normal.hpp"
@@ -57,6 +58,13 @@ struct PostProcessCounts {
     std::uint64_t visible = 0;  // pixels transformed
     std::uint64_t shadowed = 0;  // those whose darkness is not 0
     std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
+
+    PostProcessCounts& operator+=(const PostProcessCounts& more) {
+        visible += more.visible;
+        shadowed += more.shadowed;
+        lines += more.lines;
+        return *this;
+    }
 };
 
 // What a light's test reads of its view to follow a receiver's surface: the most that its plane
@@ -68,10 +76,12 @@ struct ReceiverWords {
     LightAxes axes{};
 };
 
+// `band`: of the frame's lines these alone are tested and written.
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask, const ReceiverWords& receiver = {});
+                               std::span<std::uint8_t> mask, const ReceiverWords& receiver = {},
+                               hw::Band band = {});
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, std::span<std::uint8_t> mask) {
@@ -105,6 +115,7 @@ bool rows_cover(const ShadowTest& test, const hw::MatrixWords& matrix);
 // Requires rows_cover, which it checks.
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& test,
-                                    RowMemory& memory, std::span<std::uint8_t> mask);
+                                    RowMemory& memory, std::span<std::uint8_t> mask,
+                                    hw::Band band = {});
 
 }  // namespace umbra78::shadow

@@ -186,7 +186,7 @@ void start_row_noise(const RowLine& line, std::uint32_t* words) {
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask,
-                                    const RowForm& form) {
+                                    const RowForm& form, hw::Band band) {
     const hw::MachineSpec& m = settings.machine;
     check(maps, m, mask);
     fixed::require(rows_cover(settings, matrix),
@@ -196,21 +196,29 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
     RowLine line = line_of(settings, light);
     const auto run = lanes_cover(settings) ? form.run : plain_row;
     if (line.uniforms > 0) line.noise = fixed::NoiseRegister(settings.dither.seed);
-    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(
-        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms));
+    const std::uint64_t bits_of_line =
+        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms);
+    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(bits_of_line);
+    band = band.within(line.width);
+    if (line.uniforms > 0)
+        line.noise.jump(static_cast<std::uint64_t>(band.first) * bits_of_line);
     const bool shares = shares_cover(settings, matrix);
     std::array<LineSum, 3> sums{};
     ResultLine results;
     if (shares) {
         line.whole = run != plain_row && fits_whole(settings, matrix);
         column_shares(settings, matrix, line.whole, memory);
-        for (std::size_t r = 0; r < 3; ++r) sums[r] = first_line(settings, matrix, r);
+        for (std::size_t r = 0; r < 3; ++r) {
+            sums[r] = first_line(settings, matrix, r);
+            sums[r].value += sums[r].step * band.first;
+        }
     } else {
         first_result_line(settings, matrix, results, memory);
+        next_result_line(results, band.first);
     }
     const ResultForm& transform = result_form_for(form.name);
     PostProcessCounts counts;
-    for (line.y = 0; line.y < line.width; ++line.y) {
+    for (line.y = band.first; line.y < band.end; ++line.y) {
         line.depth = maps.observer.depth.data() + maps.observer.address(0, line.y);
         line.mask = mask.data() + maps.observer.address(0, line.y);
         if (shares) {
@@ -230,8 +238,9 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
 
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
-                                    RowMemory& memory, std::span<std::uint8_t> mask) {
-    return post_process_rows(maps, matrix, settings, memory, mask, fastest_row_form());
+                                    RowMemory& memory, std::span<std::uint8_t> mask,
+                                    hw::Band band) {
+    return post_process_rows(maps, matrix, settings, memory, mask, fastest_row_form(), band);
 }
 
 }  // namespace umbra78::shadow

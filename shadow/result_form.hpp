@@ -45,7 +45,7 @@ inline constexpr std::int32_t no_result = 1 << 28;
 bool result_lines_cover(const ShadowTest& test, const hw::MatrixWords& matrix);
 void first_result_line(const ShadowTest& test, const hw::MatrixWords& matrix, ResultLine& line,
                        RowMemory& memory);
-void next_result_line(ResultLine& line);
+void next_result_line(ResultLine& line, int lines = 1);
 
 // The definition of a quotient.
 std::int32_t quotient_of(const ResultLine& line, const ResultRow& row, std::int64_t sum,

@@ -81,8 +81,8 @@ void first_result_line(const ShadowTest& s, const hw::MatrixWords& m, ResultLine
     }
 }
 
-void next_result_line(ResultLine& line) {
-    for (ResultRow& row : line.row) row.line += row.step;
+void next_result_line(ResultLine& line, int lines) {
+    for (ResultRow& row : line.row) row.line += row.step * lines;
 }
 
 std::int32_t quotient_of(const ResultLine& line, const ResultRow& row, std::int64_t sum,

@@ -12,6 +12,7 @@
 #include "shadow/row_form.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
 #include "tools/benchmarks/frames.hpp"
+#include "tools/benchmarks/workers.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -327,6 +328,8 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && std::string(argv[1]) == "--threads")
+        return tools::compare_workers(argc > 2 ? std::atoi(argv[2]) : 2, 40);
     std::vector<std::string> defaults{argv[0], "--benchmark_repetitions=15",
                                       "--benchmark_enable_random_interleaving=true",
                                       "--benchmark_report_aggregates_only=true",

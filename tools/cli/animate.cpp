@@ -29,7 +29,7 @@ using nlohmann::ordered_json;
 struct AnimateOptions {
     std::string scene, out, light, observer;
     std::vector<std::string> set;
-    int frames = 0;
+    int frames = 0, threads = 1;
     bool json = false;
 };
 
@@ -176,7 +176,8 @@ void Sequence::draw(int frame) {
             job_->advance(scene_->view(), scene_->settings);
         } else {
             job_ = std::make_unique<RenderJob>(scene_->view(), scene_->settings,
-                                                Maps::for_shadows_alone);
+                                                Maps::for_shadows_alone,
+                                                workers_for(options_.threads));
         }
         drawn_ = std::move(scene_);
         job_->render();
@@ -264,6 +265,7 @@ void add_animate_command(CLI::App& app, int&) {
                           "Folder for frame_0001.png ... and frames.json; default: the scene's "
                           "name. Frames already there with the same inputs are not drawn again");
     command.set(options->set);
+    command.threads(options->threads);
     command.json(options->json);
     command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"
                    "  umbra78 animate tools/scenes/figures.toml --frames 60 --light -100:80 "

@@ -25,6 +25,7 @@ struct DrawOptions {
     std::string scene, out, buffers, error_map;
     std::vector<std::string> set;
     bool json = false, no_truth = false, spool = false;
+    int threads = 1;
 };
 
 Path picture_path(const DrawOptions& options) {
@@ -132,7 +133,7 @@ void print_rows(const DrawOptions& options, const Rendered& rendered) {
 void run(const DrawOptions& options) {
     if (options.out.empty()) check_output(picture_path(options), ".png", {});
     const Rendered rendered(load_streamed_scene(options.scene, options.set, options.spool),
-                            {!options.no_truth, options.error_map});
+                            {!options.no_truth, options.error_map, options.threads});
     print_warnings(rendered.warnings);
     write_files(options, rendered);
     if (options.json) {
@@ -164,6 +165,7 @@ void add_render_command(CLI::App& app, int&) {
     command.flag("--spool", options->spool,
                  "Copy a [stream] that cannot be read twice, such as a pipe, to a temporary file "
                  "in TMPDIR first");
+    command.threads(options->threads);
     command.json(options->json);
     command.footer([] {
         return settings_help() +

@@ -91,8 +91,9 @@ PYBIND11_MODULE(_core, m) {
     m.def("read_file", read_file, unlocked);
     m.def("paper_scene", paper_scene);
     py::class_<Rendered, std::shared_ptr<Rendered>>(m, "Rendered");
-    m.def("draw", [](const SceneText& scene, const Overrides& set, bool truth) {
-        return std::const_pointer_cast<Rendered>(draw(scene, set, truth));
+    m.def("draw", [](const SceneText& scene, const Overrides& set, bool truth,
+                     int threads) {
+        return std::const_pointer_cast<Rendered>(draw(scene, set, truth, threads));
     }, unlocked);
     m.def("report", [](const std::shared_ptr<Rendered>& frame) { return report_of(*frame); },
           unlocked);

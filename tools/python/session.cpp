@@ -72,8 +72,9 @@ SceneText read_file(const std::string& path) {
 
 SceneText paper_scene() { return {std::string(study::paper_scene_text), "figures.toml"}; }
 
-std::shared_ptr<const Rendered> draw(const SceneText& scene, const Overrides& set, bool truth) {
-    return std::make_shared<Rendered>(load(scene, set), RenderOptions{truth, ""});
+std::shared_ptr<const Rendered> draw(const SceneText& scene, const Overrides& set, bool truth,
+                                     int threads) {
+    return std::make_shared<Rendered>(load(scene, set), RenderOptions{truth, "", threads});
 }
 
 std::string report_of(const Rendered& rendered) { return print(to_json(rendered)); }

@@ -23,7 +23,8 @@ SceneText paper_scene();
 
 using Overrides = std::vector<std::string>;  // "key=value", as --set takes them
 
-std::shared_ptr<const Rendered> draw(const SceneText&, const Overrides&, bool truth);
+std::shared_ptr<const Rendered> draw(const SceneText&, const Overrides&, bool truth,
+                                     int threads);
 std::string report_of(const Rendered&);
 
 // What a plane's words mean: of a Z code where near and far lie, and whether in perspective.

@@ -175,13 +175,16 @@ class Frame(_Mapping):
         return f"<umbra78.Frame, {size} x {size} pixels: {', '.join(self)}>"
 
 
-def render(scene, *, truth=True, set=None, **settings):
+def render(scene, *, truth=True, threads=1, set=None, **settings):
     """Draws a scene and returns its Frame.
 
     Settings are keyword arguments: render(scene, lookup="nearest", bias=64). Keys with a point go
-    into `set`: set={"light.azimuth": 30}. Without `truth` no errors are computed. Raises Error.
+    into `set`: set={"light.azimuth": 30}. Without `truth` no errors are computed. `threads` draw
+    the frame, 0: one for each processor; it is the same with any number. Raises Error.
     """
-    return Frame(_core.draw(scene._core(), _sets(settings, set), truth))
+    if not 0 <= threads <= 64:
+        raise ValueError(f"threads={threads}: give 1 to 64, or 0 for one for each processor")
+    return Frame(_core.draw(scene._core(), _sets(settings, set), truth, threads))
 
 
 def plan(scene, *, set=None, **settings):
