@@ -24,11 +24,11 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                       "animate, cycles, trace, bands, bias, shadow, study, model, pack, settings, "
                        "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                      "animate, cycles, trace, bands, bias, shadow, study, model, pack, settings, "
                       "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
