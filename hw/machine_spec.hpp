@@ -23,8 +23,8 @@ using fixed::Rounding;
 // x and w also before it, to show what that costs.
 enum class DivideOrder : std::uint8_t { exact, round_first };
 
-// Which codes a depth store keeps: all of z_bits; or those that a 32-bit float holds of the depth, or
-// of one minus it (hw/MACHINE.md, section 28).
+// Which codes a depth store keeps: all of z_bits; or those that a 32-bit float holds of the depth,
+// or of one minus it (hw/MACHINE.md, section 28).
 enum class DepthStore : std::uint8_t { fixed, of_floats, of_reversed_floats };
 inline constexpr int float_significand = 24;
 

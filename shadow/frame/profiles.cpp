@@ -107,16 +107,20 @@ constexpr std::array d32f_reversed{
 
 constexpr std::size_t of_1978 = 6;
 constexpr std::array<Profile, 10> all_profiles{{
-    {machine_of_1978, "affine16", "16-bit coefficients, one row a clock: four multipliers", affine16},
+    {machine_of_1978, "affine16", "16-bit coefficients, one row a clock: four multipliers",
+     affine16},
     {machine_of_1978, "affine16x1", "16-bit coefficients, one multiplier-accumulator", affine16x1},
     {machine_of_1978, "affine16x16", "16-bit coefficients, sixteen multipliers", affine16x16},
-    {machine_of_1978, "perspective24", "24-bit coefficients in two passes, for perspective views", perspective24},
+    {machine_of_1978, "perspective24", "24-bit coefficients in two passes, for perspective views",
+     perspective24},
     {machine_of_1978, "ap120b", "the shadow on an FPS AP-120B with standard memory", ap120b},
     {machine_of_1978, "ap120b_fast", "the shadow on an FPS AP-120B with fast memory", ap120b_fast},
-    {map_of_today, "d16_unorm", "today's map of 2048 x 2048 texels with 16-bit integers", d16_unorm},
+    {map_of_today, "d16_unorm", "today's map of 2048 x 2048 texels with 16-bit integers",
+     d16_unorm},
     {map_of_today, "d24", "the same with 24-bit integers", d24},
     {map_of_today, "d32f", "the same with 32-bit floats", d32f},
-    {map_of_today, "d32f_reversed", "the same with 32-bit floats of one minus the depth", d32f_reversed},
+    {map_of_today, "d32f_reversed", "the same with 32-bit floats of one minus the depth",
+     d32f_reversed},
 }};
 
 }  // namespace

@@ -4,8 +4,8 @@
 // A profile is a whole machine of its kind. Applying it sets every setting that any profile of that
 // kind names: to its own value where it names it, else to the default. So a profile replaces
 // another of its kind, and leaves nothing of it. Settings that none of them names keep their
-// values: a depth map's profile leaves the clock, and a machine's leaves the stores' widths. Each value gives its source, or says
-// that it is this project's assumption.
+// values: a depth map's profile leaves the clock, and a machine's leaves the stores' widths. Each
+// value gives its source, or says that it is this project's assumption.
 #pragma once
 
 #include "shadow/frame/settings.hpp"

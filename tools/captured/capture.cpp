@@ -13,12 +13,12 @@ namespace umbra78::tools::captured {
 namespace {
 
 // The settings that concern the test of a point against a depth map, and its clock.
-constexpr std::array<std::string_view, 28> read_keys{
-    "xy_bits", "z_bits", "coefficient_bits", "fraction_bits", "multipliers", "accumulator_bits",
-    "product_rounding", "transform_rounding", "coefficient_rounding", "divide_order",
-    "registration", "lookup", "background", "taps", "tap_places", "bias", "bias_unit",
-    "bias_clamp", "receiver", "dither", "dither_size", "dither_seed", "clock_ns", "multiply_ns",
-    "add_ns", "register_ns", "divider", "noise_bits"};
+constexpr std::array<std::string_view, 29> read_keys{
+    "xy_bits", "z_bits", "depth_store", "coefficient_bits", "fraction_bits", "multipliers",
+    "accumulator_bits", "product_rounding", "transform_rounding", "coefficient_rounding",
+    "divide_order", "registration", "lookup", "background", "taps", "tap_places", "bias",
+    "bias_unit", "bias_clamp", "receiver", "dither", "dither_size", "dither_seed", "clock_ns",
+    "multiply_ns", "add_ns", "register_ns", "divider", "noise_bits"};
 // Others of the clock, which profiles set.
 constexpr std::array<std::string_view, 7> idle_keys{
     "light_banks", "dram_access_ns", "dram_cycle_ns", "dram_column_ns", "dram_page_ns",
@@ -57,7 +57,10 @@ shadow::Settings settings_of(const Capture& capture) {
     shadow::Settings s = own_defaults();
     const int xy_bits = xy_bits_of(capture.observer, capture.light);
     s.machine.xy_bits = xy_bits;
-    s.machine.z_bits = z_bits_of(capture.format, capture.observer);
+    s.machine.z_bits = std::min(z_bits_of(capture.format, capture.observer), xy_bits + 20);
+    if (capture.format.real)
+        s.machine.depth_store = capture.format.reversed ? hw::DepthStore::of_reversed_floats
+                                                        : hw::DepthStore::of_floats;
     const shadow::Settings defaults = s;
     TomlNode table;
     for (const std::string& text : capture.set) table.children.push_back(parse_override(text));

@@ -112,9 +112,11 @@ Codes codes_of(const NumberImage& image, const DepthFormat& format, bool first_r
                 ++codes.background;
                 continue;
             }
-            const auto code = std::min(depth->half_up(), std::int64_t{spec.deepest_drawn()});
+            const std::int64_t nearest =
+                std::min(depth->half_up(), std::int64_t{spec.deepest_drawn()});
+            const std::uint32_t code = spec.kept(static_cast<std::uint32_t>(nearest));
             codes.largest_rounding = std::max(codes.largest_rounding, depth->rounding(code));
-            codes.depth[address(x, y, spec)] = static_cast<hw::Depth32>(code);
+            codes.depth[address(x, y, spec)] = code;
         }
     }
     if (spec.z_bits <= 16) codes.narrow.assign(codes.depth.begin(), codes.depth.end());
@@ -123,7 +125,7 @@ Codes codes_of(const NumberImage& image, const DepthFormat& format, bool first_r
 
 int z_bits_of(const DepthFormat& format, const NumberImage& image) {
     if (format.unorm_bits > 0) return format.unorm_bits;
-    if (format.real) return 24;
+    if (format.real) return 26;
     int bits = 4;
     while (bits < 24 && (std::uint32_t{1} << bits) - 1 < image.max) ++bits;
     return bits;

@@ -28,7 +28,7 @@ struct Codes {
 Codes codes_of(const NumberImage&, const DepthFormat&, bool first_row_on_top,
                const hw::MachineSpec&);
 
-// Bits of Z that hold every code of the format, or as many as the machine has: of a float 24.
+// Bits of Z that hold every code of the format; of a float as many as the machine has.
 int z_bits_of(const DepthFormat&, const NumberImage&);
 // Bits of X and Y of a frame that both buffers fit in. Throws SceneError if one is too large.
 int xy_bits_of(const NumberImage& observer, const NumberImage& light);

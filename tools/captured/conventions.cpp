@@ -139,7 +139,7 @@ std::string names_of_depth_formats() {
 }
 
 std::int64_t far_code(const DepthFormat& format, const hw::MachineSpec& spec) {
-    return (std::int64_t{1} << spec.z_bits) - (format.own() ? 0 : 1);
+    return (std::int64_t{1} << spec.z_bits) - (format.unorm_bits > 0 ? 1 : 0);
 }
 
 RationalMatrix screen_to_screen(const Matrix16& m, const Convention& c, const DepthFormat& format,

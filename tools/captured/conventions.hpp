@@ -49,7 +49,7 @@ struct Sides {
     int width = 0, height = 0;
 };
 
-// The code that means the far plane's depth: 2^z_bits - 1, or of the machine's own 2^z_bits.
+// The code that means the far plane's depth: 2^z_bits, or of a normalized integer 2^z_bits - 1.
 std::int64_t far_code(const DepthFormat&, const hw::MachineSpec&);
 
 // 16 numbers, row by row as they were given.

@@ -171,10 +171,11 @@ constexpr const char* conventions_help =
     "Of a reversed format z is the stored depth, 1 near. A PFM's rows are brought from the top\n"
     "first, and --rows speaks of them then.\n"
     "\nWhat is rounded: a depth to a code of z_bits, half up and exactly (none of d16 and d24 at\n"
-    "their own 16 and 24 bits; of a float to 24 bits); M to coefficient_bits, half to even; a\n"
-    "pixel's X and Y in the light to fraction_bits, its Z to a code. What the buffer was cleared\n"
-    "to, the far plane, is background. z_bits and xy_bits follow from the files; the bias is 0\n"
-    "and coefficient_bits 24 unless --set says otherwise.\n";
+    "their own 16 and 24 bits; a float, at 26 bits and depth_store = float, keeps its 24 where it\n"
+    "is 1/4 or more); M to coefficient_bits, half to even; a pixel's X and Y in the light to\n"
+    "fraction_bits, its Z to a code. What the buffer was cleared to, the far plane, is\n"
+    "background. z_bits, depth_store and xy_bits follow from the files; the bias is 0 and\n"
+    "coefficient_bits 24 unless --set says otherwise.\n";
 
 void add_options(Command& command, Options& o) {
     command.input("--observer-depth", o.observer, "FILE",

@@ -153,7 +153,8 @@ std::string settings_help() {
     for (const shadow::Profile& profile : shadow::profiles()) names.push_back(profile.name);
     line("profile", fmt::format("{}", fmt::join(names, ", ")),
          "a machine of the time, or (d16_unorm and on) a depth map of today: sets its keys, and "
-         "every key that another of its kind sets to its default; a profile in --set comes after [settings], other keys of --set after it", "");
+         "every key that another of its kind sets to its default; a profile in --set comes "
+         "after [settings], other keys of --set after it", "");
     for (const Setting& s : shadow::settings_table())
         line(s.key, fmt::format("{}{}{}", print_range(s), s.unit.empty() ? "" : " ", s.unit),
              s.meaning, fmt::format("default {}", print(s, default_of(s))));

@@ -74,7 +74,8 @@ using Expected = std::map<std::string_view, std::string>;
 // Of the settings of figure 6; what no bit depends on keeps everything.
 const Expected post_process_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "LDO"},
-    {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""}, {"depth_store", ""},
+    {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""},
+    {"depth_store", ""},
     {"surface", ""}, {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"},
     {"background", "LDO"}, {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"},
     {"map_depth", "DO"}, {"bias_slope", "DO"}, {"receiver", "LDO"},
@@ -84,7 +85,8 @@ const Expected post_process_form{
     {"composite", "LDOM"}, {"density", "LDOM"}, {"form", "L"}, {"arithmetic", "LDO"}};
 const Expected correct_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
-    {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""}, {"depth_store", ""},
+    {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""},
+    {"depth_store", ""},
     {"surface", ""}, {"sampling", ""}, {"registration", "L"}, {"lookup", "L"}, {"background", "L"},
     {"map_depth", ""}, {"bias_slope", ""},
     {"bias", "L"}, {"bias_unit", "LD"},  // 192 texels: nothing is tested any more
@@ -129,7 +131,8 @@ TEST(Reuse, EachSettingInTurnOfTheCorrectForm) {
 TEST(Reuse, EachSettingInTurnOfAGround) {
     Expected expected;
     for (const char* key : {"xy_bits", "z_bits", "coefficient_bits", "transform_rounding",
-                            "coefficient_rounding", "depth_rounding", "depth_store", "surface", "sampling",
+                            "coefficient_rounding", "depth_rounding", "depth_store",
+                            "surface", "sampling",
                             "ambient", "shading"})
         expected[key] = "";
     for (const char* key : {"dequantize", "low_pass", "composite", "density"})

@@ -54,7 +54,8 @@ TEST(CapturedCodes, AreRoundedExactly) {
         for (const char* name : {"d16", "d16_reversed", "d24", "d32f", "d32f_reversed"}) {
             const bool reversed = std::string(name).ends_with("reversed");
             const auto codes = first_codes(image_of(NumberKind::f64, reals), name, z_bits);
-            const std::int64_t far = (std::int64_t{1} << z_bits) - 1;
+            const std::int64_t whole = std::int64_t{1} << z_bits;
+            const std::int64_t far = whole - (std::string(name).starts_with("d32f") ? 0 : 1);
             for (std::size_t at = 0; at < reals.size(); ++at) {
                 if (reals[at] < 1e-20) continue;  // beyond what the fractions here hold
                 const auto word = static_cast<std::int64_t>(std::ldexp(reals[at], 62));
@@ -63,12 +64,34 @@ TEST(CapturedCodes, AreRoundedExactly) {
                 if (reversed) depth = fixed::Rational(1) - depth;
                 std::int64_t code = 0;
                 ASSERT_TRUE((depth * far).round_scaled(0, fixed::Rounding::half_up, code));
-                EXPECT_EQ(codes[at], std::min(code, far - 1)) << name << " " << reals[at];
+                EXPECT_EQ(codes[at], std::min(code, whole - 2)) << name << " " << reals[at];
             }
         }
     // What is not 0 is not the far plane of a reversed float, however small.
     EXPECT_EQ(first_codes(image_of(NumberKind::f64, reals), "d32f_reversed", 24)[0], 0xffffffu);
     EXPECT_EQ(first_codes(image_of(NumberKind::f64, reals), "d32f_reversed", 24)[1], 0xfffffeu);
+}
+
+// Floats of 24 bits stay what they are in a machine that stores floats, from 1/4 on.
+TEST(CapturedCodes, FloatsAreKeptByAStoreOfFloats) {
+    std::mt19937 random(78);
+    std::vector<double> reals;
+    while (reals.size() < 1000)
+        reals.push_back(std::ldexp(static_cast<double>(0x800000 + random() % 0x800000),
+                                   -24 - static_cast<int>(random() % 2)));
+    hw::MachineSpec spec = spec_of(26);
+    for (const bool reversed : {false, true}) {
+        spec.depth_store = reversed ? hw::DepthStore::of_reversed_floats
+                                    : hw::DepthStore::of_floats;
+        const Codes codes =
+            codes_of(image_of(NumberKind::f32, reals),
+                     *find_depth_format(reversed ? "d32f_reversed" : "d32f"), true, spec);
+        EXPECT_EQ(codes.largest_rounding, 0);
+        for (std::size_t at = 0; at < reals.size(); ++at) {
+            const double depth = std::ldexp(static_cast<double>(codes.depth[at]), -26);
+            EXPECT_EQ(reversed ? 1 - depth : depth, reals[at]);
+        }
+    }
 }
 
 TEST(CapturedCodes, RefuseWhatIsNoDepth) {

@@ -239,7 +239,7 @@ TEST_F(Program, HelpHasTheRangesOfTheManual) {
         const char *key, *range;
     } expected[] = {
         {"xy_bits", "4 .. 12 bits; default 9"},
-        {"z_bits", "4 .. 24 bits; default 16"},
+        {"z_bits", "4 .. 26 bits; default 16"},
         {"coefficient_bits", "8 .. 32 bits; default 16"},
         {"fraction_bits", "0 .. 12 bits; default 7"},
         {"multipliers", "1 .. 16 multipliers; default 4"},
@@ -304,7 +304,7 @@ TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
     EXPECT_EQ(single["transformation"]["bottleneck"], "multiply");
     EXPECT_GT(single["frame_cycles"]["side_by_side"], one["frame_cycles"]["side_by_side"]);
     const json all = parse_json(run("cycles " + scene + " --all --json").out)["profiles"];
-    EXPECT_EQ(all.size(), shadow::profiles().size());
+    EXPECT_EQ(all.size(), shadow::profiles_of_1978().size());
     EXPECT_NE(run("cycles " + scene).out.find("roughly twice"), std::string::npos);
     const auto both = run("cycles " + scene + " --all --profile affine16");
     EXPECT_EQ(both.exit_code, 2);
