@@ -52,7 +52,7 @@ private:
     bool batched() const {
         if constexpr (!can_batch) return false;
         if (!setup_.batches_facets || setup_.casters.slope_q8 != 0) return false;
-        if (!setup_.band.all()) return false;
+        if (!setup_.band.all() || setup_.spec.z_bits > 24) return false;  // of 32-bit words
         if constexpr (can_batch && shades) return emit_.sink.takes_levels();
         return true;
     }

@@ -41,7 +41,8 @@ template <class Depth>
 CodePlane code_plane_of(const hw::FrameStore<Depth>& store, const hw::MachineSpec& spec,
                         bool depth_alone) {
     if constexpr (std::is_same_v<Depth, hw::Depth16>) {
-        if (spec.depth_rounding == fixed::Rounding::half_up)
+        if (spec.depth_rounding == fixed::Rounding::half_up &&
+            spec.depth_store == hw::DepthStore::fixed)
             return {store.depth.data(),
                     store.xy_bits,
                     depth_guard(spec),

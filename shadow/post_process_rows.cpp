@@ -157,7 +157,8 @@ bool shares_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
 bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     const hw::MachineSpec& m = settings.machine;
     if (has_window(settings.lookup) || settings.receiver != Receiver::point) return false;
-    if (m.size_px() > widest_row || m.z_bits > 16 || m.fraction_bits > 7 || m.fraction_bits < 1 ||
+    if (m.size_px() > widest_row || m.z_bits > 16 || m.depth_store != hw::DepthStore::fixed ||
+        m.fraction_bits > 7 || m.fraction_bits < 1 ||
         m.dropped_bits() > 0)  // a cut product is no sum of shares
         return false;
     if (m.transform_rounding != Rounding::half_up && m.transform_rounding != Rounding::floor)

@@ -234,7 +234,8 @@ void clear_map(const FrameInputs& in, LightBuffers<Depth>& light, const Executor
 }
 template <class Depth>
 void finish_map(const FrameInputs& in, LightBuffers<Depth>& light) {
-    if (map_layers(in.settings) > 1) take_midpoints<Depth>(light.second.depth, light.map.depth);
+    if (map_layers(in.settings) > 1) 
+        take_midpoints<Depth>(in.settings.machine, light.second.depth, light.map.depth);
 }
 
 // What the plain post-process does under a plan.

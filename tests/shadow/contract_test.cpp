@@ -146,7 +146,7 @@ TEST(Contract, TheMachinesWidthsAreInTheirRanges) {
         [](hw::MachineSpec& m) { m.xy_bits = 3; },
         [](hw::MachineSpec& m) { m.xy_bits = 13; },
         [](hw::MachineSpec& m) { m.z_bits = 3; },
-        [](hw::MachineSpec& m) { m.z_bits = 25; },
+        [](hw::MachineSpec& m) { m.z_bits = 27; },
         [](hw::MachineSpec& m) { m.coefficient_bits = 7; },
         [](hw::MachineSpec& m) { m.coefficient_bits = 33; },
         [](hw::MachineSpec& m) { m.fraction_bits = -1; },

@@ -118,7 +118,7 @@ LoadedScene scene_on(const std::string& profile, const CyclesOptions& options) {
 
 void all_profiles(const CyclesOptions& options) {
     std::vector<ProfileCost> costs;
-    for (const shadow::Profile& profile : shadow::profiles()) {
+    for (const shadow::Profile& profile : shadow::profiles_of_1978()) {
         const std::string name(profile.name);
         const LoadedScene scene = scene_on(name, options);
         require_one_light(scene, "umbra78 cycles --all");

@@ -141,7 +141,7 @@ TEST(CFace, ReadsSettingsAsASceneFileDoes) {
     EXPECT_EQ(value_of(made.scene, "lookup"), "bilinear");
     EXPECT_EQ(set("lookup", "linear"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("look", "bilinear"), UMBRA78_UNKNOWN_SETTING);
-    EXPECT_EQ(set("z_bits", "25"), UMBRA78_BAD_VALUE);
+    EXPECT_EQ(set("z_bits", "27"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("z_bits", "16.2"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("z_bits", "x"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("multipliers", "3"), UMBRA78_CANNOT_BE_BUILT);

@@ -22,11 +22,11 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                       "animate, cycles, trace, bands, bias, shadow, study, model, pack, settings, "
                        "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                      "animate, cycles, trace, bands, bias, shadow, study, model, pack, settings, "
                       "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
@@ -237,7 +237,7 @@ TEST_F(Program, HelpHasTheRangesOfTheManual) {
         const char *key, *range;
     } expected[] = {
         {"xy_bits", "4 .. 12 bits; default 9"},
-        {"z_bits", "4 .. 24 bits; default 16"},
+        {"z_bits", "4 .. 26 bits; default 16"},
         {"coefficient_bits", "8 .. 32 bits; default 16"},
         {"fraction_bits", "0 .. 12 bits; default 7"},
         {"multipliers", "1 .. 16 multipliers; default 4"},
@@ -301,7 +301,7 @@ TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
     EXPECT_EQ(single["transformation"]["bottleneck"], "multiply");
     EXPECT_GT(single["frame_cycles"]["side_by_side"], one["frame_cycles"]["side_by_side"]);
     const json all = parse_json(run("cycles " + figures_scene + " --all --json").out)["profiles"];
-    EXPECT_EQ(all.size(), shadow::profiles().size());
+    EXPECT_EQ(all.size(), shadow::profiles_of_1978().size());
     EXPECT_NE(run("cycles " + figures_scene).out.find("roughly twice"), std::string::npos);
     const auto both = run("cycles " + figures_scene + " --all --profile affine16");
     EXPECT_EQ(both.exit_code, 2);

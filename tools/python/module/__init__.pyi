@@ -61,6 +61,21 @@ def bias(scene: Scene, *, set: Mapping[str, Value] | None = None,
          **settings: Value) -> dict[str, Any]: ...
 def bias_of_map(map: int, extent: Number, range: Number, slope: Number, *,
                 reversed: bool = False, **options: Number | str) -> dict[str, Any]: ...
+class Shadow:
+    report: dict[str, Any]
+    mask: NDArray[np.uint8]
+    error: NDArray[np.float64]
+    spectrum: NDArray[np.float64]
+    def __init__(self, report: str, mask: NDArray[Any], error: NDArray[Any],
+                 spectrum: NDArray[Any]) -> None: ...
+
+def shadow(observer_depth: NDArray[Any], light_depth: NDArray[Any],
+           matrix: NDArray[Any] | Sequence[float] | Sequence[Sequence[float]], *,
+           depth_format: str = "d32f", convention: str = "d3d", truth: NDArray[Any] | None = None,
+           truth_bright: bool = False, pixel: tuple[int, int] | None = None,
+           least_bias: bool = False, y_up: bool | None = None,
+           z_from_minus_one: bool | None = None, first_row_on_top: bool | None = None,
+           row_vectors: bool | None = None, **settings: Value) -> Shadow: ...
 def study(name: str, scene: Scene | None = None, *,
           vary: Mapping[str, str | Sequence[Value]] | None = None, quick: bool = False,
           automatic: bool = False, jobs: int = 0) -> list[dict[str, Any]]: ...
