@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t size = FacetWalk::run, groups = 128, none = UINT32_MAX;
+    static constexpr std::uint32_t size = FacetWalk::run, groups = 64, none = UINT32_MAX;
     void make(std::uint32_t group, FacetWalk& walk);
 
     Mesh mesh_{};
