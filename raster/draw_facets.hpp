@@ -85,7 +85,8 @@ private:
     // Returns how many lines its box has.
     std::uint64_t draw_triangle(const Facet& facet, const Material* material,
                                 const FacetTriangle& triangle) {
-        const auto& [a, b, c] = triangle.screen;
+        // Names of their own: clang++ 14 captures no structured bindings.
+        const Corner &a = triangle.screen[0], &b = triangle.screen[1], &c = triangle.screen[2];
         std::int64_t offset = 0;
         if (!setup_.casters.all_alike() && setup_.casters.slope_q8 > 0)
             offset = setup_.casters.offset(depth_slope(a, b, c));
