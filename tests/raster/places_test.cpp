@@ -54,6 +54,30 @@ Corner random_place(Inputs& random, std::int64_t reach) {
     return {x, y, random_within(random, 1 << 22)};
 }
 
+// Corners on the places themselves, so that edges pass through many: each belongs to the triangle
+// whose left or top edge it lies on, as a pixel's centre does.
+TEST(Places, OnEdgesBelongAsCentresDo) {
+    Inputs random(62);
+    const auto places = at_centres();
+    const auto on_a_place = [&] {
+        const auto pixel = [&] { return static_cast<int>(random.between(0, 15)); };
+        const std::int32_t x = pixel_centre(pixel(), 8), y = pixel_centre(pixel(), 8);
+        return Corner{x, y, random_within(random, 1 << 22)};
+    };
+    std::size_t samples = 0;
+    for (int n = 0; n < effort(1000); ++n) {
+        const Corner a = on_a_place(), b = on_a_place(), c = on_a_place();
+        SampleWords plain, at;
+        sample_triangle(a, b, c, small, into(plain));
+        sample_triangle_places(a, b, c, places->list, into(at));
+        std::ranges::sort(plain);
+        std::ranges::sort(at);
+        ASSERT_EQ(at, plain) << n;
+        samples += at.size();
+    }
+    EXPECT_GT(samples, static_cast<std::size_t>(effort(1000)));
+}
+
 TEST(Places, AtCentresSampleTrianglesAsCentresDo) {
     Inputs random(61);
     const auto places = at_centres();

@@ -4,6 +4,8 @@
 #include "shadow/rivals/volumes.hpp"
 #include "tests/support/effort.hpp"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -84,6 +86,13 @@ public:
         shown_.resize(space.pixels());
         VisibleCounts counts;
         find_visible(setting_, shown_, counts);
+        std::uint64_t rows = 0;
+        for (std::size_t f = 0; f < setting_.mesh.facets.size(); ++f) {
+            if (setting_.eye.sides[f] == 0) continue;
+            const auto of_facet = rows_of(setting_, f);
+            if (!of_facet.empty()) rows += static_cast<std::uint64_t>(of_facet.to - of_facet.from);
+        }
+        EXPECT_EQ(counts.rows, rows);
     }
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
