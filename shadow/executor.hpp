@@ -55,11 +55,12 @@ inline std::size_t parts_of(const Executor& executor, std::size_t count, std::si
     return std::clamp<std::size_t>(count / least, 1, std::min(4 * executor.workers, max_parts));
 }
 
-// Calls work(band, worker) for bands of about as many lines each, and returns the sum of what they
-// count.
+namespace detail {
+
+// Apart, so that one worker needs no room for the parts' counts.
 template <class Counts, class Work>
-Counts count_bands(const Executor& executor, int lines, Work&& work) {
-    const std::size_t parts = parts_of(executor, static_cast<std::size_t>(lines), 16);
+[[gnu::noinline]] Counts count_parts(const Executor& executor, std::size_t parts, int lines,
+                                     Work& work) {
     std::array<Counts, max_parts> counted{};
     const auto limit = [&](std::size_t p) {
         return static_cast<int>(static_cast<std::size_t>(lines) * p / parts);
@@ -70,6 +71,17 @@ Counts count_bands(const Executor& executor, int lines, Work&& work) {
     Counts sum{};
     for (std::size_t p = 0; p < parts; ++p) sum += counted[p];
     return sum;
+}
+
+}  // namespace detail
+
+// Calls work(band, worker) for bands of about as many lines each, and returns the sum of what they
+// count.
+template <class Counts, class Work>
+Counts count_bands(const Executor& executor, int lines, Work&& work) {
+    const std::size_t parts = parts_of(executor, static_cast<std::size_t>(lines), 16);
+    if (parts == 1) return work(hw::Band{0, lines}, std::size_t{0});
+    return detail::count_parts<Counts>(executor, parts, lines, work);
 }
 
 // The same of work that counts nothing.

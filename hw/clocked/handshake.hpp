@@ -24,6 +24,7 @@
 #include <bit>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
 namespace umbra78::hw {
 
@@ -74,7 +75,11 @@ public:
     static constexpr std::int8_t none = -1;  // the slot of an empty stage
 
     // Adds a stage; returns its number.
-    int add(std::string_view name, int stay = 1) { return list_.add(name, stay); }
+    int add(std::string_view name, int stay = 1) {
+        const int k = list_.add(name, stay);
+        stage_[index(k)].stay = stay;
+        return k;
+    }
 
     int stages() const { return list_.stages(); }
     std::string_view name(int k) const { return list_.name(k); }
@@ -88,7 +93,7 @@ public:
     std::uint64_t blocked_by(int k, int by) const { return blame_[index(k)][index(by)]; }
     // The stage that keeps stage k from taking a token: k itself where it works or is held, else
     // a later one.
-    int culprit(int k) const { return culprit_[index(k)]; }
+    int culprit(int k) const { return stage_[index(k)].culprit; }
 
     // Cycles that the token was blocked or held since it entered.
     std::uint64_t waited(int slot) const { return waited_[index(slot)]; }
@@ -96,52 +101,61 @@ public:
     // Puts a token into stage 0, which must be ready.
     void enter(std::int8_t slot) {
         waited_[index(slot)] = 0;
-        fill(0, slot);
+        fill(0, slot, full_);
     }
 
     // One cycle. Returns the slot that left the last stage, or none.
     template <class Work>
-    std::int8_t tick(StageMask held, Work&& work) {
-        std::int8_t out = none;
-        for (StageMask left = full_; left != 0;) {
-            const int k = 63 - std::countl_zero(left);
-            left &= ~(StageMask{1} << k);
-            const std::int8_t gone = run(k, held, work);
-            if (gone != none) out = gone;
-        }
-        return out;
+    [[gnu::always_inline]] std::int8_t tick(StageMask held, Work&& work) {
+        // In most cycles no clock is held, and then nothing asks for it.
+        return held == 0 ? run_all(std::integral_constant<StageMask, 0>{}, work)
+                         : run_all(held, work);
     }
 
 private:
     struct Stage {
-        int left = 0;                             // cycles of work left
+        int stay = 0, left = 0;                   // cycles of work, and those that are left
         std::int8_t slot = none, blocker = none;  // the token, and what kept it in the last cycle
+        std::int8_t culprit = 0;
     };
     static constexpr std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
-    void fill(int k, std::int8_t slot) {
+    void fill(int k, std::int8_t slot, StageMask& full) {
         stage_[index(k)].slot = slot;
-        stage_[index(k)].left = stay(k);
-        full_ |= StageMask{1} << k;
+        stage_[index(k)].left = stage_[index(k)].stay;
+        full |= StageMask{1} << k;
     }
 
-    // Stages run from the last to the first, so that `full_` is what the next stage is at the end
+    // Stages run from the last to the first, so that `full` is what the next stage is at the end
     // of the cycle.
+    template <class Held, class Work>
+    [[gnu::always_inline]] std::int8_t run_all(Held held, Work&& work) {
+        std::int8_t out = none;
+        StageMask full = full_;  // in a register while the stages run
+        for (StageMask left = full; left != 0;) {
+            const int k = 63 - std::countl_zero(left);
+            left ^= StageMask{1} << k;
+            const std::int8_t gone = run(k, held, full, work);
+            if (gone != none) out = gone;
+        }
+        full_ = full;
+        return out;
+    }
     template <class Work>
-    std::int8_t run(int k, StageMask held, Work&& work) {
+    [[gnu::always_inline]] std::int8_t run(int k, StageMask held, StageMask& full, Work&& work) {
         Stage& s = stage_[index(k)];
         StageTime& t = time_[index(k)];
         if ((held >> k & 1) != 0) {
-            culprit_[index(k)] = static_cast<std::int8_t>(k);
+            s.culprit = static_cast<std::int8_t>(k);
             ++t.held;
             ++waited_[index(s.slot)];
             return none;
         }
         if (s.left > 0) {
             ++t.work;
-            work(k, stay(k) - s.left, s.slot);
+            work(k, s.stay - s.left, s.slot);
             if (--s.left > 0) {
-                culprit_[index(k)] = static_cast<std::int8_t>(k);
+                s.culprit = static_cast<std::int8_t>(k);
                 return none;
             }
         } else {  // the work was done in an earlier cycle, and the token could not leave
@@ -149,23 +163,23 @@ private:
             ++blame_[index(k)][index(s.blocker)];
             ++waited_[index(s.slot)];
         }
-        return move(k, held);
+        return move(k, held, full);
     }
 
-    std::int8_t move(int k, StageMask held) {
+    [[gnu::always_inline]] std::int8_t move(int k, StageMask held, StageMask& full) {
         Stage& s = stage_[index(k)];
         const int next = k + 1;
         const std::int8_t slot = s.slot;
-        const bool next_full = (full_ >> next & 1) != 0, next_held = (held >> next & 1) != 0;
+        const bool next_full = (full >> next & 1) != 0, next_held = (held >> next & 1) != 0;
         if (next < stages() && !Rule::moves(k, next_full, next_held)) {
-            s.blocker = next_full ? culprit_[index(next)] : static_cast<std::int8_t>(next);
-            culprit_[index(k)] = s.blocker;
+            s.blocker = next_full ? stage_[index(next)].culprit : static_cast<std::int8_t>(next);
+            s.culprit = s.blocker;
             return none;
         }
         s.slot = none;
-        full_ &= ~(StageMask{1} << k);
+        full &= ~(StageMask{1} << k);
         if (next == stages()) return slot;
-        fill(next, slot);
+        fill(next, slot, full);
         return none;
     }
 
@@ -174,7 +188,6 @@ private:
     std::array<Stage, max_stages> stage_{};
     std::array<StageTime, max_stages> time_{};
     std::array<std::uint64_t, max_stages + 1> waited_{};  // by slot
-    std::array<std::int8_t, max_stages> culprit_{};
     std::array<std::array<std::uint64_t, max_stages>, max_stages> blame_{};
 };
 

@@ -45,13 +45,28 @@ public:
                   timing.accumulate_stages(), rounds_ ? timing.round_stages() : 0};
         fixed::require(accumulate_step(0) < max_under_way,
                        "clocked transform: more sums under way than it has registers for");
+        const auto one = static_cast<std::int64_t>(input_.one_word());
+        adds_half_ = spec.transform_rounding == Rounding::half_up && spec.accumulator_bits() < 62;
+        for (std::size_t r = 0; r < 4; ++r) {
+            round_shift_[r] = shift_of(static_cast<int>(r));
+            half_[r] = round_shift_[r] > 0 ? std::int64_t{1} << (round_shift_[r] - 1) : 0;
+            adds_half_ = adds_half_ && round_shift_[r] >= 0 && round_shift_[r] < 62;
+            start_[r] = matrix.affine ? cut_(matrix.word[r][3] * one) : 0;
+        }
+        for (int c = 0; c < cycles_; ++c) turn_[static_cast<std::size_t>(c)] = turn_of(c);
+        whole_ = passes_ == 1 && cut_.dropped == 0;
+        row_a_turn_ = whole_ && spec.multipliers == 4;
+        latency_ = cycles() - 1 + delay_.multiply + delay_.sum + delay_.accumulate + delay_.round;
+        fixed::require(latency_ <= most_steps, "clocked transform: more steps than it has a table");
+        for (int c = 0; c < latency_; ++c)
+            step_[static_cast<std::size_t>(c)] = {
+                in_turns(c), in_turns(c - accumulate_step(0)),
+                rounds_ ? in_turns(c - round_step(0)) : none};
     }
 
     // Multiply's cycles a point; the stages that follow it take one each.
     int cycles() const { return cycles_; }
-    int latency() const {
-        return cycles() - 1 + delay_.multiply + delay_.sum + delay_.accumulate + delay_.round;
-    }
+    int latency() const { return latency_; }
 
     // To a Chain or a StageList.
     template <class Stages>
@@ -81,11 +96,7 @@ public:
     int accumulate_step(int c) const { return sum_step(c) + delay_.accumulate; }
     int round_step(int c) const { return accumulate_step(c) + delay_.round; }
     // How far a row is shifted right when it is rounded, and how many bits are left.
-    int round_shift(int row) const {
-        if (!matrix_.affine) return spec_.coefficient_bits - 2;
-        const int out = row == 2 ? spec_.depth_fraction() : spec_.fraction_bits;
-        return affine_shift(matrix_, static_cast<Row>(row), spec_, input_, out);
-    }
+    int round_shift(int row) const { return round_shift_[std::size_t(row)]; }
     int result_bits(int row) const {
         const int bits = spec_.accumulator_bits() - round_shift(row);
         return bits < 2 ? 2 : bits;
@@ -96,6 +107,40 @@ private:
     struct Delay {
         int multiply, sum, accumulate, round;
     };
+    // What the products of a multiply cycle are: those of rows `row` to `last_row` and of columns
+    // `column` to `last_column`, by one pass; and whether they are the last of their rows.
+    struct Turn {
+        std::uint8_t row, last_row, column, last_column, pass;
+        bool ends_rows;
+    };
+    static constexpr int most_cycles = 4 * 4 * 4;  // one multiplier, both halves of both words
+    // What is done in a step: the multiply cycles whose products are formed, accumulated and
+    // rounded; `none` where nothing is.
+    static constexpr std::int8_t none = -1;
+    struct StepWork {
+        std::int8_t multiply, accumulate, round;
+    };
+    static constexpr int most_steps = most_cycles + 32;
+    std::int8_t in_turns(int cycle) const {
+        return cycle >= 0 && cycle < cycles_ ? static_cast<std::int8_t>(cycle) : none;
+    }
+
+    Turn turn_of(int cycle) const {
+        const auto narrow = [](int v) { return static_cast<std::uint8_t>(v); };
+        const int pass = cycle % passes_, turn = cycle / passes_;
+        const bool by_one = spec_.multipliers == 1, by_all = spec_.multipliers == 16;
+        const int row = by_all ? 0 : by_one ? turn / columns_ : turn;
+        const int column = by_one ? turn % columns_ : 0;
+        const int last_column = by_one ? column : columns_ - 1;
+        return {narrow(row), narrow(by_all ? rows_ - 1 : row), narrow(column),
+                narrow(last_column), narrow(pass),
+                pass == passes_ - 1 && last_column == columns_ - 1};
+    }
+    int shift_of(int row) const {
+        if (!matrix_.affine) return spec_.coefficient_bits - 2;
+        const int out = row == 2 ? spec_.depth_fraction() : spec_.fraction_bits;
+        return affine_shift(matrix_, static_cast<Row>(row), spec_, input_, out);
+    }
 
     MachineSpec spec_;
     MatrixWords matrix_;
@@ -103,7 +148,16 @@ private:
     ProductCut cut_;
     int cycles_, rows_ = 0, columns_ = 0, passes_ = 0, coefficient_cut_ = 0, word_cut_ = 0;
     bool rounds_ = false;
+    bool whole_ = false;       // a pass is the product: nothing is cut
+    bool row_a_turn_ = false;  // and a turn forms all products of one row
+    bool adds_half_ = false;  // rounds by adding half a unit of what is left
+    int latency_ = 0;
     Delay delay_{};
+    std::array<int, 4> round_shift_{};
+    std::array<std::int64_t, 4> half_{};
+    Accumulators start_{};  // the accumulators, before the first product
+    std::array<Turn, most_cycles> turn_{};
+    std::array<StepWork, most_steps> step_{};
 };
 
 static_assert(slowest_legal.multiply_stages() - 1 + slowest_legal.sum_stages() +
@@ -121,17 +175,21 @@ struct TransformRegisters {
 
     void load(const TransformPipeline& plan, const Words& point) {
         words = point;
-        const auto one = static_cast<std::int64_t>(plan.input_.one_word());
-        for (std::size_t r = 0; r < 4; ++r)
-            accumulator[r] = plan.matrix_.affine ? plan.cut_(plan.matrix_.word[r][3] * one) : 0;
+        accumulator = plan.start_;
     }
 
-    void step(const TransformPipeline& plan, int cycle) {
-        if (cycle < plan.cycles()) multiply(plan, cycle);
-        const int accumulated = cycle - plan.accumulate_step(0);
-        if (accumulated >= 0 && accumulated < plan.cycles()) accumulate(plan, accumulated);
-        const int rounded = cycle - plan.round_step(0);
-        if (plan.rounds_ && rounded >= 0 && rounded < plan.cycles()) round(plan, rounded);
+    // A step of a unit that does one row at a time, as 1978's widths on four multipliers do, is
+    // short enough to be a part of the loop over the stages; any other is a call.
+    [[gnu::always_inline]] void step(const TransformPipeline& plan, int cycle) {
+        const TransformPipeline::StepWork work = plan.step_[std::size_t(cycle)];
+        if (!plan.row_a_turn_) return step_any(plan, work);
+        if (work.multiply >= 0)
+            under_way_[std::size_t(work.multiply)][0] =
+                whole_row(plan, std::size_t(work.multiply));
+        if (work.accumulate >= 0)
+            accumulator[std::size_t(work.accumulate)] +=
+                under_way_[std::size_t(work.accumulate)][0];
+        if (work.round >= 0) round_row(plan, std::size_t(work.round));
     }
 
 private:
@@ -169,54 +227,54 @@ private:
         return word = plan.cut_(word);
     }
 
-    std::int64_t row_products(const TransformPipeline& plan, int row, int number) {
-        std::int64_t sum = 0;
-        for (int c = 0; c < plan.columns_; ++c) sum += multiply_pass(plan, row, c, number);
-        return sum;
+    std::int64_t whole_row(const TransformPipeline& plan, std::size_t r) {
+        const auto& a = plan.matrix_.word[r];
+        auto& word = product[r];
+        word[0] = std::int64_t{a[0]} * words.x;
+        word[1] = std::int64_t{a[1]} * words.y;
+        word[2] = std::int64_t{a[2]} * words.z;
+        const std::int64_t sum = word[0] + word[1] + word[2];
+        if (plan.columns_ == 3) return sum;
+        word[3] = std::int64_t{a[3]} * plan.input_.one_word();
+        return sum + word[3];
+    }
+
+    [[gnu::noinline]] void step_any(const TransformPipeline& plan,
+                                    TransformPipeline::StepWork work) {
+        if (work.multiply >= 0) multiply(plan, work.multiply);
+        if (work.accumulate >= 0) accumulate(plan, work.accumulate);
+        if (work.round >= 0) round(plan, work.round);
     }
 
     void multiply(const TransformPipeline& plan, int cycle) {
-        auto& sums = under_way_[std::size_t(cycle % max_under_way)];
-        const int number = cycle % plan.passes_, turn = cycle / plan.passes_;
-        if (plan.spec_.multipliers == 16) {
-            for (int r = 0; r < plan.rows_; ++r)
-                sums[std::size_t(r)] = row_products(plan, r, number);
-        } else if (plan.spec_.multipliers == 4) {
-            sums[0] = row_products(plan, turn, number);
-        } else {
-            const int row = turn / plan.columns_, column = turn % plan.columns_;
-            sums[0] = multiply_pass(plan, row, column, number);
+        const TransformPipeline::Turn& t = plan.turn_[std::size_t(cycle)];
+        auto& sums = under_way_[std::size_t(cycle) % max_under_way];
+        for (std::size_t r = t.row; r <= t.last_row; ++r) {
+            std::int64_t sum = 0;
+            for (int c = t.column; c <= t.last_column; ++c)
+                sum += multiply_pass(plan, int(r), c, t.pass);
+            sums[r - t.row] = sum;
         }
     }
 
     void accumulate(const TransformPipeline& plan, int cycle) {
-        const auto& sums = under_way_[std::size_t(cycle % max_under_way)];
-        const int turn = cycle / plan.passes_;
-        if (plan.spec_.multipliers == 16) {
-            for (std::size_t r = 0; r < std::size_t(plan.rows_); ++r) accumulator[r] += sums[r];
-        } else {
-            accumulator[std::size_t(plan.spec_.multipliers == 4 ? turn : turn / plan.columns_)] +=
-                sums[0];
-        }
+        const TransformPipeline::Turn& t = plan.turn_[std::size_t(cycle)];
+        const auto& sums = under_way_[std::size_t(cycle) % max_under_way];
+        for (std::size_t r = t.row; r <= t.last_row; ++r) accumulator[r] += sums[r - t.row];
     }
 
     // The rows whose last product was accumulated with this cycle's.
     void round(const TransformPipeline& plan, int cycle) {
-        const int each = plan.spec_.multipliers == 1    ? plan.columns_ * plan.passes_
-                         : plan.spec_.multipliers == 4 ? plan.passes_
-                                                       : plan.cycles();
-        if ((cycle + 1) % each != 0) return;
-        if (plan.spec_.multipliers == 16) {
-            for (int r = 0; r < plan.rows_; ++r) round_row(plan, r);
-        } else {
-            round_row(plan, (cycle + 1) / each - 1);
-        }
+        const TransformPipeline::Turn& t = plan.turn_[std::size_t(cycle)];
+        if (!t.ends_rows) return;
+        for (std::size_t r = t.row; r <= t.last_row; ++r) round_row(plan, r);
     }
 
-    void round_row(const TransformPipeline& plan, int row) {
-        const auto r = static_cast<std::size_t>(row);
-        result[r] = fixed::scale_shift(accumulator[r], plan.round_shift(row),
-                                       plan.spec_.transform_rounding);
+    void round_row(const TransformPipeline& plan, std::size_t r) {
+        const int shift = plan.round_shift_[r];
+        result[r] = plan.adds_half_ ? fixed::floor_shift(accumulator[r] + plan.half_[r], shift)
+                                    : fixed::scale_shift(accumulator[r], shift,
+                                                         plan.spec_.transform_rounding);
     }
 };
 

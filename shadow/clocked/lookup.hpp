@@ -37,6 +37,10 @@ public:
         : spec(s.machine), lookup(s.lookup), background(s.background),
           blends(interpolates(s.machine, s.lookup)), window(window_of(s)),
           banks(s.timing.light_banks) {
+        for (int t = 0; t < window.taps(); ++t)
+            cycle_of_[static_cast<std::size_t>(t)] =
+                static_cast<std::uint8_t>(shadow::fetch_cycle(window, banks, t));
+        fetch_cycles_ = shadow::fetch_cycles(window, banks);
         const int products = 6;
         interpolate_cycles_ = (products + s.machine.multipliers - 1) / s.machine.multipliers;
     }
@@ -44,13 +48,13 @@ public:
     bool counts() const { return lookup == Lookup::percentage; }
     bool sums() const { return lookup == Lookup::filtered_depth; }
 
-    int fetch_cycles() const { return shadow::fetch_cycles(window, banks); }
+    int fetch_cycles() const { return fetch_cycles_; }
     int interpolate_cycles() const { return interpolate_cycles_; }
     int compare_cycles() const { return counts() ? fetch_cycles() : 1; }
 
     // Taps that the n-th cycle of fetch, sum or compare works on.
     bool takes(int cycle, int tap) const {
-        return shadow::fetch_cycle(window, banks, tap) == cycle;
+        return cycle_of_[static_cast<std::size_t>(tap)] == cycle;
     }
 
     hw::MachineSpec spec;
@@ -61,7 +65,8 @@ public:
     int banks;
 
 private:
-    int interpolate_cycles_;
+    int interpolate_cycles_, fetch_cycles_;
+    std::array<std::uint8_t, hw::max_taps> cycle_of_{};  // of fetching, by tap
 };
 
 // To an hw::Chain or an hw::StageList.
@@ -98,10 +103,14 @@ struct LookupRegisters {
         count = 0;
         sum = 0;
         if (outside) return;
-        for (int t = 0; t < plan.window.taps(); ++t)
-            tap[static_cast<std::size_t>(t)] = tap_texel(plan.spec, plan.window, t, at, noise);
         tx = first_texel(plan.spec, plan.window, x);
         ty = first_texel(plan.spec, plan.window, y);
+        const int side = plan.window.side;
+        for (int j = 0, t = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i, ++t)
+                tap[static_cast<std::size_t>(t)] =
+                    plan.window.jittered ? tap_texel(plan.spec, plan.window, t, at, noise)
+                                         : Texel{tx + i, ty + j};
         const TexelPlace t = texel_place(plan.spec, plan.blends, x, y);
         fx = t.fx;
         fy = t.fy;

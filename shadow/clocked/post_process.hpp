@@ -108,11 +108,13 @@ public:
 
     bool done() const { return pixel_ == pixels_ && !found_ && chain_.empty(); }
     void tick(hw::StageMask held = 0);
+    // Until it is done, no clock held: the same cycles, with nobody between two of them.
+    void run();
 
     std::uint64_t cycles() const { return cycles_; }
     std::size_t pixels() const { return pixels_; }
     const hw::Chain<Rule>& chain() const { return chain_; }
-    StageKind kind(int stage) const { return kind_[static_cast<std::size_t>(stage)]; }
+    StageKind kind(int stage) const { return stage_[static_cast<std::size_t>(stage)].kind; }
     const PointRegisters& flight(int slot) const { return flight_[static_cast<std::size_t>(slot)]; }
     const PostProcessPipeline& plan() const { return plan_; }
     const PostProcessCounts& counts() const { return counts_; }
@@ -133,10 +135,14 @@ public:
 private:
     // The stages from `from` on are steps of one unit; name_stage names a stage by itself.
     void name_steps(StageKind kind, int from);
-    void name_stage(int stage, StageKind kind) { kind_[static_cast<std::size_t>(stage)] = kind; }
+    void name_stage(int stage, StageKind kind) {
+        stage_[static_cast<std::size_t>(stage)].kind = kind;
+    }
     void work(int stage, int cycle, PointRegisters& f);
+    void step_transform(int step, PointRegisters& f);
     void finish_transform(PointRegisters& f);
     void finish_divide(PointRegisters& f);
+    void tick_once(hw::StageMask held);
     void tick_reader(hw::StageMask held);
     bool let_go(hw::StageMask held);
     void read_cycle();
@@ -148,8 +154,12 @@ private:
     TimedTest settings_;
     std::span<std::uint8_t> mask_;
     hw::Chain<Rule> chain_;
-    std::array<StageKind, hw::max_stages> kind_{};
-    std::array<int, hw::max_stages> first_cycle_{};  // of a unit's steps, by stage
+    struct Stage {
+        StageKind kind;
+        int first_cycle;  // of a unit's steps
+    };
+    std::array<Stage, hw::max_stages> stage_{};
+    int transform_stages_ = 0;  // the first ones
     std::array<PointRegisters, hw::max_stages + 1> flight_{};  // one more than there are stages
     hw::ClockedNoise noise_;
 

@@ -23,6 +23,7 @@ ClockedPostProcess<Depth, Rule>::ClockedPostProcess(const DepthMaps<Depth>& maps
     std::fill(mask_.begin(), mask_.end(), mask_lit);
     plan_.transform.add_stages(chain_);
     name_steps(StageKind::transform, 0);
+    transform_stages_ = chain_.stages();
     if (plan_.divides) {
         const int from = chain_.stages();
         plan_.divide.add_stages(chain_);
@@ -43,8 +44,7 @@ template <class Depth, class Rule>
 void ClockedPostProcess<Depth, Rule>::name_steps(StageKind kind, int from) {
     int cycle = 0;
     for (int k = from; k < chain_.stages(); ++k) {
-        kind_[static_cast<std::size_t>(k)] = kind;
-        first_cycle_[static_cast<std::size_t>(k)] = cycle;
+        stage_[static_cast<std::size_t>(k)] = {kind, cycle};
         cycle += chain_.stay(k);
     }
 }
@@ -68,13 +68,19 @@ void ClockedPostProcess<Depth, Rule>::finish_divide(PointRegisters& f) {
 }
 
 template <class Depth, class Rule>
+[[gnu::always_inline]] inline void ClockedPostProcess<Depth, Rule>::step_transform(
+    int step, PointRegisters& f) {
+    f.transform.step(plan_.transform, step);
+    if (step == plan_.transform.latency() - 1) finish_transform(f);
+}
+
+// The units that follow the transform.
+template <class Depth, class Rule>
 void ClockedPostProcess<Depth, Rule>::work(int stage, int cycle, PointRegisters& f) {
-    const int step = first_cycle_[static_cast<std::size_t>(stage)] + cycle;
-    switch (kind_[static_cast<std::size_t>(stage)]) {
-        case StageKind::transform:
-            f.transform.step(plan_.transform, step);
-            if (step == plan_.transform.latency() - 1) finish_transform(f);
-            break;
+    const Stage& s = stage_[static_cast<std::size_t>(stage)];
+    const int step = s.first_cycle + cycle;
+    switch (s.kind) {
+        case StageKind::transform: step_transform(step, f); break;
         case StageKind::divide:
             f.divider.step(plan_.divide, step);
             if (step == plan_.divide.latency() - 1) finish_divide(f);
@@ -94,9 +100,25 @@ void ClockedPostProcess<Depth, Rule>::work(int stage, int cycle, PointRegisters&
 }
 
 template <class Depth, class Rule>
+void ClockedPostProcess<Depth, Rule>::run() {
+    while (!done()) tick_once(0);
+}
+
+template <class Depth, class Rule>
 void ClockedPostProcess<Depth, Rule>::tick(hw::StageMask held) {
+    tick_once(held);
+}
+
+template <class Depth, class Rule>
+[[gnu::always_inline]] inline void ClockedPostProcess<Depth, Rule>::tick_once(
+    hw::StageMask held) {
+    // Most of what works in a cycle is a transform's stage.
     chain_.tick(held, [this](int stage, int cycle, std::int8_t slot) {
-        work(stage, cycle, flight_[static_cast<std::size_t>(slot)]);
+        PointRegisters& f = flight_[static_cast<std::size_t>(slot)];
+        if (stage < transform_stages_)
+            step_transform(stage_[static_cast<std::size_t>(stage)].first_cycle + cycle, f);
+        else
+            work(stage, cycle, f);
     });
     tick_reader(held);
     ++cycles_;
@@ -105,7 +127,8 @@ void ClockedPostProcess<Depth, Rule>::tick(hw::StageMask held) {
 // A cycle of the scan: read on until a visible pixel is found, and let it go when its slot has
 // come and the first stage is ready.
 template <class Depth, class Rule>
-void ClockedPostProcess<Depth, Rule>::tick_reader(hw::StageMask held) {
+[[gnu::always_inline]] inline void ClockedPostProcess<Depth, Rule>::tick_reader(
+    hw::StageMask held) {
     if (pixel_ == pixels_ && !found_) return;
     if ((held & reader_bit) != 0) {
         ++reader_.held;
@@ -137,7 +160,7 @@ bool ClockedPostProcess<Depth, Rule>::let_go(hw::StageMask held) {
 }
 
 template <class Depth, class Rule>
-void ClockedPostProcess<Depth, Rule>::read_cycle() {
+[[gnu::always_inline]] inline void ClockedPostProcess<Depth, Rule>::read_cycle() {
     if (plan_.dithers) noise_.step(read_step_);
     if (++read_step_ < plan_.read_cycles) return;
     read_step_ = 0;

@@ -101,6 +101,39 @@ TEST(Heap, AFrameAllocatesNothing) {
     }
 }
 
+// Nor do its workers, whoever they are: here one thread that is each of three in turn.
+TEST(Heap, AFrameOfSeveralWorkersAllocatesNothing) {
+    struct alignas(64) Line {
+        std::byte bytes[64];
+    };
+    const FigurePatches patches = figure_patches();
+    const std::array materials{figure_material};
+    Scene scene{patches, materials, figure_view(0), {{figure_view(figure_azimuth_q16)}}};
+    const std::array<raster::World, 3> corners{{{-90000, -90000, 0}, {90000, 0, 0}, {0, 90000, 0}}};
+    std::array<raster::Facet, 64> facets;
+    facets.fill({{0, 1, 2}});
+    scene.mesh = {corners, {}, facets};
+    const auto in_turn = [](void*, std::size_t parts, Executor::Task task, void* work) {
+        for (std::size_t p = 0; p < parts; ++p) task(work, p, p % 3);
+    };
+    for (const raster::PatchForm surface : {raster::PatchForm::catmull, raster::PatchForm::diced}) {
+        Settings settings = figure_settings(6);
+        settings.surface = surface;
+        FrameShape shape(scene, settings);
+        shape.workers = 3;
+        const std::size_t bytes = frame_bytes<hw::Depth16>(settings.machine, 128, shape);
+        std::vector<Line> memory(bytes / 64 + 1);
+        auto frame = carve<hw::Depth16>({memory[0].bytes, bytes}, settings.machine, 128, shape);
+        frame.executor = {in_turn, nullptr, 3};
+        FrameInputs in{scene, settings, {}};
+        ASSERT_EQ(load_matrices(scene, settings, in.matrices), FrameStatus::ok);
+        const FramePlan plan = make_plan(in);
+        FrameCounts counts;
+        EXPECT_EQ(allocations([&] { draw_frame(in, plan, frame, counts); }), 0);
+        EXPECT_GT(counts.observer.samples, 50000u) << "something is drawn";
+    }
+}
+
 TEST(Heap, AReplayAllocatesNothing) {
     Settings s;
     s.machine.xy_bits = 5;

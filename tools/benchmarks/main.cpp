@@ -11,6 +11,7 @@
 #include "shadow/frame/paper_figures.hpp"
 #include "shadow/row_form.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
+#include "tools/benchmarks/curves.hpp"
 #include "tools/benchmarks/frames.hpp"
 #include "tools/benchmarks/workers.hpp"
 
@@ -125,7 +126,7 @@ void add_clocked(const std::string& name, int figure) {
         for (auto _ : state) {
             Machine machine(b.frame.maps(), b.matrices.lights[0].observer_to_light,
                             shadow::figure_settings(figure), b.frame.lights[0].mask);
-            while (!machine.done()) machine.tick();
+            machine.run();
             cycles += machine.cycles();
         }
         state.counters["cycles"] = benchmark::Counter(static_cast<double>(cycles),
@@ -328,8 +329,12 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc > 1 && std::string(argv[1]) == "--threads")
-        return tools::compare_workers(argc > 2 ? std::atoi(argv[2]) : 2, 40);
+    const std::string mode = argc > 1 ? argv[1] : "";
+    const char* csv = std::getenv("UMBRA78_BENCH_CSV");  // set by tools/bench
+    const std::string csv_file = csv == nullptr ? "" : csv;
+    if (mode == "--threads") return tools::compare_workers(argc > 2 ? std::atoi(argv[2]) : 2, 40);
+    if (mode == "--curves")
+        return tools::measure_curves(argc > 2 ? std::atoi(argv[2]) : 6, csv_file);
     std::vector<std::string> defaults{argv[0], "--benchmark_repetitions=15",
                                       "--benchmark_enable_random_interleaving=true",
                                       "--benchmark_report_aggregates_only=true",
@@ -343,8 +348,7 @@ int main(int argc, char** argv) {
     add_all();
     add_omissions();
     tools::add_frames(names);
-    const char* csv = std::getenv("UMBRA78_BENCH_CSV");  // set by tools/bench
-    RatioReporter reporter(csv == nullptr ? "" : csv);
+    RatioReporter reporter(csv_file);
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();
 }

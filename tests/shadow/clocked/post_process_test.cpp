@@ -213,7 +213,10 @@ TEST(ClockedPostProcess, FiguresTakeTheirClosedForm) {
         std::vector<std::uint8_t> mask(frame.buffers.lights[0].mask.size());
         const auto machine = std::make_unique<Clocked<hw::Depth16>>(
             frame.buffers.maps(), frame.matrices.lights[0].observer_to_light, s, mask);
-        while (!machine->done()) machine->tick();
+        if (figure == 3)
+            machine->run();
+        else
+            while (!machine->done()) machine->tick();
         umbra78::test::expect_equal_buffers("mask", 512, frame.buffers.lights[0].mask, mask);
         const Schedule plain = schedule<hw::Depth16>(
             frame.buffers.observer.depth, s.machine.background(), machine->plan().read_cycles,
