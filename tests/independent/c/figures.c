@@ -103,7 +103,7 @@ static void draw_map(Frame *f, int light) {
   }
   f->maps[light] = plane(f);
   for (i64 k = 0; k < s->pixels; ++k)
-    f->maps[light][k] = s->map_depth == MIDPOINT ? (int32_t)midpoint(d.records + 2 * k)
+    f->maps[light][k] = s->map_depth == MIDPOINT ? (int32_t)midpoint(d.records + 2 * k, s)
                                                  : d.records[2 * k];
   free(d.records);
   if (light == 0) f->counts[1] = d.counts;

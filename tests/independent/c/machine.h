@@ -51,6 +51,7 @@ int big_compare(Big a, Big b);
 i128 big_round(Big a, Big b, Rounding r);                /* saturates at +-2^126 */
 
 /* Section 2: settings.c. Choices are numbered as the table lists them. */
+enum { FIXED_STORE, FLOAT, FLOAT_REVERSED };
 enum { EXACT_ORDER, ROUND_FIRST };
 enum { CATMULL, DICED };
 enum { BOTH, FRONT };
@@ -70,9 +71,9 @@ enum { POST_PROCESS, CORRECT, GROUND, BLOB, IRREGULAR_MAP };
 enum { FIXED, AP120B };
 typedef struct {
   i64 xy_bits, z_bits, coefficient_bits, fraction_bits, accumulator_bits, product_rounding,
-      transform_rounding, coefficient_rounding, depth_rounding, divide_order, surface, dice_levels,
-      facing, sampling, registration, lookup, background, taps, tap_places, bias, bias_unit,
-      map_depth, bias_slope, bias_clamp, receiver, normal_offset, slope_source, dither,
+      transform_rounding, coefficient_rounding, depth_rounding, depth_store, divide_order, surface,
+      dice_levels, facing, sampling, registration, lookup, background, taps, tap_places, bias,
+      bias_unit, map_depth, bias_slope, bias_clamp, receiver, normal_offset, slope_source, dither,
       dither_size, dither_seed, dequantize, low_pass, ambient, shading, composite, density, form,
       arithmetic;
   /* What follows from them. */
@@ -162,6 +163,10 @@ i64 at_leaf(const i64 q[4], int i, int j);
 void shade(const Shading *sh, const i64 normal[3], const i64 place[3], bool facet,
            const bool *shadowed, int32_t *planes);
 void kept_normal(const i64 n[3], const i64 to_viewer[3], int32_t out[3]);
+
+/* Section 28: float_store.c. */
+i64 kept_code(i64 code, const Settings *s);
+i64 float_bits(i64 kept, const Settings *s); /* of a code that is kept */
 
 /* Sections 7, 8 and 21: samples.c, store.c, triangles.c. */
 typedef struct Sample {
@@ -266,7 +271,7 @@ void caster_slope(const Corner t[3], i64 *slope);
 i64 slope_offset(i64 slope, i64 factor, i64 limit);
 i64 moved_code(i64 z, i64 offset, const Settings *s);
 void keep_two(int32_t layers[2], i64 code);
-i64 midpoint(const int32_t layers[2]);
+i64 midpoint(const int32_t layers[2], const Settings *s);
 
 /* Section 13: filters.c; 18: ap120b.c; 22: dicing.c; 26: ground.c; scan_out.md: places.c. */
 void dequantize(const int32_t *mask, const bool *visible, int passes, int size, int32_t *out);

@@ -19,7 +19,7 @@ i64 slope_offset(i64 slope, i64 factor, i64 limit) {
 i64 moved_code(i64 z, i64 offset, const Settings *s) {
   if (z_code(z, s) < 0) return -1;
   i64 code = z_code(z + offset, s);
-  return code < 0 ? s->deepest_drawn : code;
+  return code < 0 ? kept_code(s->deepest_drawn, s) : code;
 }
 
 void keep_two(int32_t layers[2], i64 code) {
@@ -28,7 +28,10 @@ void keep_two(int32_t layers[2], i64 code) {
   if (code < layers[0]) layers[0] = (int32_t)code;
 }
 
-i64 midpoint(const int32_t layers[2]) { return ((i64)layers[0] + layers[1]) >> 1; }
+i64 midpoint(const int32_t layers[2], const Settings *s) {
+  i64 code = ((i64)layers[0] + layers[1]) >> 1;
+  return code == s->background_code ? code : kept_code(code, s);
+}
 
 /* The neighbour that is taken along (dx, dy): -1, 1 or, without one, 0. */
 int neighbour(const int32_t *z, const Settings *s, i64 px, i64 py, int dx, int dy) {

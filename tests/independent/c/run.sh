@@ -48,6 +48,8 @@ receiver.c|slope \* factor, 8, CEILING|slope * factor, 8, FLOOR|vectors
 sectors.c|xy_bits - 1;|xy_bits - 1 - (q->axis == 2);|s_sectors_nearest
 dicing.c|6 \* uu|5 * uu|vectors
 ground.c|times(rise, 64)|times(rise, 63)|vectors
+float_store.c|drop, HALF_EVEN|drop, HALF_UP|s_float
+receiver.c|? code : kept_code(code, s)|? code : code|s_float_reversed
 END
 }
 

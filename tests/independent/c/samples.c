@@ -154,5 +154,5 @@ void draw_leaves(Drawing *d, Corner (*corners)[17]) {
 i64 z_code(i64 z, const Settings *s) {
   i64 code = (i64)down(z, (int)s->depth_guard, (Rounding)s->depth_rounding) + s->depth_offset;
   if (code < 0 || code > s->background_code) return -1;
-  return code == s->background_code ? s->deepest_drawn : code;
+  return kept_code(code == s->background_code ? s->deepest_drawn : code, s);
 }

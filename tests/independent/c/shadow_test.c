@@ -74,6 +74,7 @@ int darkness(const int32_t *map, const Settings *s, const i64 result[3], const i
     if (place[k] < -end || place[k] >= end) return 0;
   }
   if (code < 0 || code > s->deepest_drawn) return 0;
+  code = kept_code(code, s);
   if (s->lookup == PERCENTAGE || s->lookup == FILTERED_DEPTH)
     return window(map, s, place[0], place[1], code, taps, clamped);
   bool four = s->lookup == BILINEAR && s->fraction_bits > 0;

@@ -205,6 +205,15 @@ static void shadow_test(Line *l) {
   say(l, darkness(map, &s, p, dither, NULL, NULL, false));
 }
 
+static void float_store(Line *l) {
+  Settings s = defaults();
+  s.z_bits = number(l);
+  set(&s, "depth_store", word(l));
+  widths(&s);
+  i64 kept = kept_code(number(l), &s);
+  say(l, kept), say(l, float_bits(kept, &s));
+}
+
 static void windows(Line *l) {
   Settings s = defaults();
   i64 p[3], dither[2];
@@ -260,7 +269,7 @@ static void compute(Line *l, const char *stage) {
                {"views", views},       {"matrices", matrices},
                {"ground", ground},     {"transform_unit", transform_unit},
                {"noise", noise},       {"shadow_test", shadow_test},
-               {"windows", windows}};
+               {"windows", windows},   {"float_store", float_store}};
   for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
     if (!strcmp(known[k].name, stage)) {
       known[k].of(l);
@@ -311,10 +320,10 @@ static int check_stage(const char *folder, const char *stage) {
 
 int check_vectors(const char *folder) {
   static const char *const stages[] = {
-      "decimals",       "sines",       "patches",  "views",      "matrices", "ground",
-      "transform_unit", "corrections", "splits",   "block_rule", "samples",  "shading",
-      "triangles",      "dicing",      "bias",     "normals",    "noise",    "shadow_test",
-      "windows",        "dequantize",  "low_pass", "composite"};
+      "decimals", "sines", "patches", "views", "matrices", "ground", "transform_unit",
+      "corrections", "splits", "block_rule", "samples", "shading", "triangles", "dicing", "bias",
+      "normals", "noise", "shadow_test", "windows", "float_store", "dequantize", "low_pass",
+      "composite"};
   int wrong = 0;
   for (size_t k = 0; k < sizeof stages / sizeof *stages; ++k)
     wrong += check_stage(folder, stages[k]);

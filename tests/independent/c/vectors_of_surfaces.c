@@ -300,7 +300,7 @@ static void bias(Line *l) {
     Settings s = depths_of(4, number(l));
     int32_t layers[2] = {(int32_t)s.background_code, (int32_t)s.background_code};
     while (l->at < l->count) keep_two(layers, number(l));
-    say(l, midpoint(layers));
+    say(l, midpoint(layers, &s));
   }
 }
 
