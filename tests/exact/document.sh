@@ -58,8 +58,7 @@ TEXT
   if [ -s "$work/faults.md" ]; then
     printf '\n## Planted faults\n\n'
     cat <<'TEXT'
-`tools/exact --faults` plants each into a copy of the core ([faults](exact/faults)). The
-last column is what x86-64 g++ -O0 draws with it.
+`tools/exact --faults` plants each into a copy of the core ([faults](exact/faults)).
 
 TEXT
     cat "$work/faults.md"
