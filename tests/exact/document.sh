@@ -62,6 +62,12 @@ TEXT
 
 TEXT
     cat "$work/faults.md"
+    untried=""
+    for program in tests/exact/faults/*.sed; do
+      name=$(sed -n 's/^# fault: //p' "$program")
+      grep -qF "| $name |" "$work/faults.md" || untried="$untried${untried:+; }$name"
+    done
+    [ -z "$untried" ] || printf '\nNot planted in this run: %s.\n' "$untried"
   fi
   printf '\n## Compilers\n\n%s\n' "$versions"
 } >tests/EXACT.md
