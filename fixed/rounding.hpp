@@ -18,7 +18,7 @@
 //   half_even      2 rem > divisor, = if q is odd     -2     0     0     2     2
 //
 // C++20 defines >> of a negative value as the floor. Elsewhere in the core >> has unsigned operands
-// only, so that a shift that rounds is always named; tests/guards/shifts.sh checks it.
+// only, so that a shift that rounds is always named; tests/guards/tokens.sh checks it.
 #pragma once
 
 #include <concepts>

@@ -11,6 +11,8 @@
 
 #include "fixed/rounding.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 
 namespace umbra78::hw {
@@ -21,9 +23,14 @@ using fixed::Rounding;
 // x and w also before it, to show what that costs.
 enum class DivideOrder : std::uint8_t { exact, round_first };
 
+// Which codes a depth store keeps: all of z_bits; or those that a 32-bit float holds of the depth,
+// or of one minus it (hw/MACHINE.md, section 28).
+enum class DepthStore : std::uint8_t { fixed, of_floats, of_reversed_floats };
+inline constexpr int float_significand = 24;
+
 struct MachineSpec {
     int xy_bits = 9;            // pixels a side = 2^xy_bits; 4..12
-    int z_bits = 16;            // 4..24; the all-ones code is the background
+    int z_bits = 16;            // 4..26; the all-ones code is the background
     int coefficient_bits = 16;  // signed Q1.(bits - 2), one exponent a row; 8..32
     int fraction_bits = 7;      // of X and Y after the transform; 0..12
     int multipliers = 4;        // 1, 4 or 16 multipliers of 16 x 16 bits
@@ -32,6 +39,7 @@ struct MachineSpec {
     Rounding transform_rounding = Rounding::half_up;
     Rounding coefficient_rounding = Rounding::half_even;
     Rounding depth_rounding = Rounding::half_up;
+    DepthStore depth_store = DepthStore::fixed;
     DivideOrder divide_order = DivideOrder::exact;
 
     constexpr int size_px() const { return 1 << xy_bits; }
@@ -60,6 +68,24 @@ struct MachineSpec {
     constexpr std::uint32_t background() const { return (std::uint32_t{1} << z_bits) - 1; }
     constexpr std::uint32_t deepest_drawn() const { return background() - 1; }
     constexpr std::int64_t depth_offset() const { return std::int64_t{1} << (z_bits - 1); }
+
+    // The code that the store keeps of a drawn one, 0 .. deepest_drawn().
+    constexpr std::uint32_t kept(std::uint32_t code) const {
+        return depth_store == DepthStore::fixed ? code : kept_float(code);
+    }
+
+private:
+    constexpr std::uint32_t kept_float(std::uint32_t code) const {
+        const std::uint32_t whole = std::uint32_t{1} << z_bits;
+        const bool reversed = depth_store == DepthStore::of_reversed_floats;
+        const std::uint32_t v = reversed ? whole - code : code;
+        const int drop = std::max(0, static_cast<int>(std::bit_width(v)) - float_significand);
+        const auto rounded = static_cast<std::uint32_t>(
+            fixed::round_shift(std::int64_t{v}, drop, Rounding::half_even) << drop);
+        if (reversed) return whole - rounded;
+        const std::uint32_t step = std::uint32_t{1} << std::max(1, z_bits - float_significand);
+        return std::min(rounded, whole - step);
+    }
 };
 
 // Which width, if any, is out of its range.
@@ -69,7 +95,8 @@ enum class SpecStatus : std::uint8_t {
 
 constexpr SpecStatus check(const MachineSpec& m) {
     if (m.xy_bits < 4 || m.xy_bits > 12) return SpecStatus::xy_bits;
-    if (m.z_bits < 4 || m.z_bits > 24) return SpecStatus::z_bits;
+    // The divider shifts a Z of 20 fraction bits 62 places.
+    if (m.z_bits < 4 || m.z_bits > 26 || m.depth_fraction() > 20) return SpecStatus::z_bits;
     if (m.coefficient_bits < 8 || m.coefficient_bits > 32) return SpecStatus::coefficient_bits;
     if (m.fraction_bits < 0 || m.fraction_bits > 12) return SpecStatus::fraction_bits;
     if (m.multipliers != 1 && m.multipliers != 4 && m.multipliers != 16)

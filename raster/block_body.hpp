@@ -115,5 +115,6 @@ static bool leaves_form(const Corners& grid, std::int32_t half_px, BlockSamples&
 
 #include "raster/centres_body.hpp"
 #include "raster/shade_body.hpp"
+#include "raster/facet_body.hpp"
 
 #endif

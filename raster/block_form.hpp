@@ -14,8 +14,9 @@
 // definition does the block. shade() is asked only for what BlockShading::job covers.
 #pragma once
 
+#include "raster/facet_form.hpp"
 #include "raster/sampling.hpp"
-#include "raster/shading.hpp"
+#include "raster/shade_job.hpp"
 
 #include <array>
 #include <cstdint>
@@ -38,40 +39,6 @@ struct BlockSamples {
     std::array<BlockSample, most> sample;
 };
 
-// What the lanes need to shade the leaves of a block. Plain words only.
-struct ShadeSource {
-    std::int32_t toward[3];
-    std::int32_t halfway[3];  // Blinn's
-    std::int32_t l_dot_v;
-    std::int32_t level_q8[max_channels];
-};
-struct ShadeJob {
-    std::int32_t normal[4][3];  // at the block's corners
-    std::int32_t viewer[3];
-    std::size_t sources, channels;
-    ShadeSource source[max_sources];
-    std::int32_t ambient_q8;
-    std::int32_t diffuse[max_channels], specular[max_channels];
-    int squares;                  // of the highlight
-    bool highlights, by_halfway;  // whether there is one; by the halfway direction
-};
-
-// The levels of a block's leaves: for each channel its intensity and its direct shares.
-struct LeafLevels {
-    static constexpr std::size_t planes = max_channels * (1 + max_sources);
-    std::uint8_t level[planes][leaves * leaves];
-
-    Shades of(std::size_t leaf, std::size_t channels, std::size_t sources) const {
-        Shades shades{};
-        for (std::size_t c = 0; c < channels; ++c) {
-            const auto* plane = level + c * (1 + sources);
-            shades[c].intensity = plane[0][leaf];
-            for (std::size_t l = 0; l < sources; ++l) shades[c].direct[l] = plane[1 + l][leaf];
-        }
-        return shades;
-    }
-};
-
 struct BlockForm {
     std::string_view name;
     bool (*supported)();  // by this processor
@@ -80,6 +47,7 @@ struct BlockForm {
     bool (*leaves)(const Corners& grid, std::int32_t half_px, BlockSamples& out);
     // Of `count` leaves, by their numbers; there is room for 15 more numbers behind them.
     void (*shade)(const ShadeJob& job, std::uint8_t* numbers, std::size_t count, LeafLevels& out);
+    FacetForm facets;
 };
 
 // All that are compiled in, `plain` first, the fastest last.

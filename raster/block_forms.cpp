@@ -1,4 +1,4 @@
-// The table of a block's forms: block_body.hpp and shade_body.hpp by instruction sets.
+// The table of a block's forms: block_body.hpp by instruction sets.
 #include "raster/block_form.hpp"
 
 namespace umbra78::raster {
@@ -8,7 +8,14 @@ namespace umbra78::raster {
 
 namespace {
 #define UMBRA78_BLOCK_FORM(set, name)                                           \
-    {name, set::supported, set::expand_form, set::centres_form, set::leaves_form, set::shade_form},
+    {name,                                                                      \
+     set::supported,                                                            \
+     set::expand_form,                                                          \
+     set::centres_form,                                                         \
+     set::leaves_form,                                                          \
+     set::shade_form,                                                           \
+     {set::see_form, set::measure_form, set::few_form, set::tile_form,          \
+      set::put_form, set::shade_facets_form}},
 constexpr BlockForm block_table[] = {UMBRA78_LANE_SETS(UMBRA78_BLOCK_FORM)};
 #undef UMBRA78_BLOCK_FORM
 }  // namespace

@@ -53,10 +53,14 @@ constexpr bool unbounded_both_ways(const ScreenBounds& b) {
 // outside: the block is not in the cube, nor within 1/64 pixel (X, Y) or a quantum (Z) of it.
 enum class BlockAction : std::uint8_t { outside, split_u, split_v, draw };
 
-constexpr BlockAction block_action(const ScreenBounds& b, const hw::MachineSpec& spec) {
+// What lies beyond one of these in X, Y or Z, of either sign, is outside.
+constexpr std::array<std::int64_t, 3> cube_limits(const hw::MachineSpec& spec) {
     const std::int64_t edge = spec.half_px() * pixel_units + pixel_units / 64;
-    const std::int64_t deep = (spec.depth_offset() + 1) << depth_guard(spec);
-    const std::array<std::int64_t, 3> limit{edge, edge, deep};
+    return {edge, edge, (spec.depth_offset() + 1) << depth_guard(spec)};
+}
+
+constexpr BlockAction block_action(const ScreenBounds& b, const hw::MachineSpec& spec) {
+    const std::array<std::int64_t, 3> limit = cube_limits(spec);
     bool small = true;
     // What is split is the direction with the greatest slope or scaled bend: 16 times the greatest
     // bend allowed is 2^17, 16 pixels. Unsigned, because a bend in perspective may reach 3 2^58.

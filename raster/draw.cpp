@@ -56,6 +56,16 @@ constexpr std::uint64_t DrawCounts::*all_counts[] = {
     &DrawCounts::diced_vertices, &DrawCounts::turned_triangles,
     &DrawCounts::triangles,      &DrawCounts::triangle_lines,
     &DrawCounts::unresolved_facets};
+// Whether no more than `scale` blocks that may be drawn follow one another in it each way.
+bool is_within(const ScreenBounds& b, std::int64_t scale) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (b[k].max >= unbounded || b[k].min <= -unbounded) return false;
+        if (std::max(b[k].bend_u, b[k].bend_v) > scale * scale * max_bend) return false;
+        if (k < 2 && b[k].slope_u + b[k].slope_v > scale * max_slope) return false;
+    }
+    return true;
+}
+
 static_assert(sizeof(DrawCounts) == sizeof(std::uint64_t) * std::size(all_counts));
 
 }  // namespace
@@ -94,7 +104,7 @@ void BlockWalk::push_patch(const Patch& patch) {
     } else {
         b.screen = homogeneous_components(words, setup_.matrix, setup_.spec, setup_.object);
     }
-    b.level_u = b.level_v = 0;
+    b.level_u = b.level_v = b.line = 0;
     splits_ = 0;
     if (!shades_) return;
     std::array<std::array<std::int64_t, 16>, 3> place{};
@@ -106,21 +116,33 @@ void BlockWalk::push_patch(const Patch& patch) {
     for (std::size_t c = 0; c < 3; ++c) b.world[c] = component_from_bezier(place[c]);
 }
 
-BlockAction BlockWalk::action(const StackBlock& b, ScreenBounds& bounds) const {
+// A block without lines in the band is outside, too: no sample of it is drawn. A block is counted
+// by its first line; one without bounds by its parent's, whose band has split the parent.
+BlockWalk::Decision BlockWalk::in_band(StackBlock& b, BlockAction action,
+                                       const ScreenBounds& bounds) const {
+    if (setup_.band.all()) return {action, true};
+    const Footprint reached = footprint(bounds, setup_.spec);
+    b.line = std::max(b.line, reached.y0);
+    return {setup_.band.meets(reached.y0, reached.y1) ? action : BlockAction::outside, true};
+}
+
+BlockWalk::Decision BlockWalk::decide(StackBlock& b, ScreenBounds& bounds) const {
     if (affine()) {
         bounds = affine_bounds(first<3>(b.screen));
-        return block_action(bounds, setup_.spec);
+        return in_band(b, block_action(bounds, setup_.spec), bounds);
     }
     const auto either = [&] {
         return b.level_u <= b.level_v ? BlockAction::split_u : BlockAction::split_v;
     };
     switch (projected_bounds(b.screen, setup_.spec, bounds)) {
-        case Visibility::outside: return BlockAction::outside;
-        case Visibility::unknown: return either();
+        case Visibility::outside: return {BlockAction::outside, false};
+        case Visibility::unknown: return {either(), false};
         case Visibility::bounded: break;
     }
-    const BlockAction by_rule = block_action(bounds, setup_.spec);
-    return by_rule == BlockAction::split_u && unbounded_both_ways(bounds) ? either() : by_rule;
+    Decision by_rule = in_band(b, block_action(bounds, setup_.spec), bounds);
+    if (by_rule.action == BlockAction::split_u && unbounded_both_ways(bounds))
+        by_rule.action = either();
+    return by_rule;
 }
 
 // Splits the popped block in place: its lower half stays, its upper half goes above it.
@@ -137,23 +159,27 @@ void BlockWalk::split(bool along_u) {
     (along_u ? low.level_u : low.level_v) += 1;
     high.level_u = low.level_u;
     high.level_v = low.level_v;
+    high.line = low.line;
     depth_ += 2;
 }
 
-bool BlockWalk::next(ScreenBounds& bounds) {
+bool BlockWalk::next(ScreenBounds& bounds, int scale) {
     while (depth_ > 0) {
-        const StackBlock& b = memory_.stack[--depth_];
-        ++counts_.tested_blocks;
-        const BlockAction decided = action(b, bounds);
+        StackBlock& b = memory_.stack[--depth_];
+        const auto [decided, bounded] = decide(b, bounds);
+        const std::uint64_t one = counted() ? 1 : 0;
+        counts_.tested_blocks += one;
+        if (splits_ == 0 && b.level_u + b.level_v == 0) counts_.patches += one;
         if (decided == BlockAction::draw) return true;
         if (decided == BlockAction::outside) continue;
+        if (scale > 1 && bounded && is_within(bounds, scale)) return true;
         const bool can_u = b.level_u < deepest_level, can_v = b.level_v < deepest_level;
         if ((!can_u && !can_v) || splits_ == max_splits) {
-            ++counts_.unresolved;
+            counts_.unresolved += one;
             continue;
         }
         ++splits_;
-        ++counts_.splits;
+        counts_.splits += one;
         split(decided == BlockAction::split_u ? can_u : !can_v);
     }
     return false;

@@ -13,9 +13,7 @@
 
 #include "hw/features.hpp"
 #include "raster/diced_view.hpp"
-#include "raster/draw_counts.hpp"
-#include "raster/draw_setup.hpp"
-#include "raster/facet.hpp"
+#include "raster/draw_facets.hpp"
 #include "raster/footprint.hpp"
 #include "raster/places.hpp"
 #include "raster/sampling.hpp"
@@ -27,22 +25,6 @@
 #include <type_traits>
 
 namespace umbra78::raster {
-
-// What is done with samples.
-//   shades        a constant: whether sample() is given the block's shading, or nullptr
-//   hidden(f)     whether every sample with this footprint would change nothing
-//   expect(f)     if there: samples with this footprint will come
-//   keeps(x, y, code)  if there: whether a sample of the pixel may change anything
-//   sample(...)   one sample, its Z code and the shading of its block or facet
-template <class T>
-concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,
-                        const Sample& sample, std::uint32_t code, const BlockShading* shading,
-                        const FacetShading* of_facet) {
-    typename std::bool_constant<T::shades>;
-    { unchanged.hidden(footprint) } -> std::same_as<bool>;
-    { sink.sample(sample, code, shading) } -> std::same_as<void>;
-    { sink.sample(sample, code, of_facet) } -> std::same_as<void>;
-};
 
 namespace detail {
 
@@ -58,20 +40,28 @@ public:
 
     void push_patch(const Patch& patch);
     // Whether the patch pushed last is out of the view as a whole, and how it is taken off again.
-    bool outside() const {
+    bool outside() {
         ScreenBounds bounds;
-        return action(memory_.stack[depth_ - 1], bounds) == BlockAction::outside;
+        return decide(memory_.stack[depth_ - 1], bounds).action == BlockAction::outside;
     }
     void drop_patch() { --depth_; }
-    // Pops, splits and pushes until a block is ready to be drawn; false when none is left.
-    bool next(ScreenBounds& bounds);
+    // Pops, splits and pushes until a block is ready to be drawn, or no larger than `scale` such
+    // blocks each way; false when none is left.
+    bool next(ScreenBounds& bounds, int scale = 1);
+    // Whether the popped block is for this band to count. It is for one, though several draw it.
+    bool counted() const { return setup_.band.has(block().line); }
     // The popped block's corners; false if it had to be dropped.
     bool make_corners(const BlockForm& form);
     const StackBlock& block() const { return memory_.stack[depth_]; }
 
 private:
     bool affine() const { return !setup_.matrix.divides(); }
-    BlockAction action(const StackBlock& b, ScreenBounds& bounds) const;
+    struct Decision {
+        BlockAction action;
+        bool bounded;  // whether its bounds are known
+    };
+    Decision decide(StackBlock& b, ScreenBounds& bounds) const;
+    Decision in_band(StackBlock& b, BlockAction action, const ScreenBounds& bounds) const;
     void split(bool along_u);
 
     const DrawSetup& setup_;
@@ -81,37 +71,6 @@ private:
     std::size_t depth_ = 0;  // blocks on the stack; the popped one lies just above
     std::uint32_t splits_ = 0;  // of the patch
 };
-
-// Hands what a drawing samples to its sink, with its Z code, and counts it.
-template <class SampleSink>
-struct Emitter {
-    const DrawSetup& setup;
-    SampleSink& sink;
-    DrawCounts& counts;
-    DepthCoder coder{setup.spec};
-
-    // `offset` moves the sample away, and not beyond the far plane; it is not negative.
-    [[gnu::always_inline]] bool code_of(std::int64_t z, std::int64_t offset,
-                                        std::uint32_t& code) const {
-        if (!coder(z, code)) return false;
-        if (offset > 0) code = coder.moved(z + offset);
-        ++counts.samples;
-        return true;
-    }
-    template <class Shading>
-    void operator()(const Sample& s, const Shading* shading, std::int64_t offset = 0) const {
-        std::uint32_t code = 0;
-        if (code_of(s.z, offset, code)) sink.sample(s, code, shading);
-    }
-};
-
-template <class SampleSink>
-const Material* material_of(std::uint16_t material, const DrawSetup& setup) {
-    if (!SampleSink::shades) return nullptr;
-    fixed::require(material < setup.materials.size(),
-                   "draw: a surface names a material that is not there");
-    return &setup.materials[material];
-}
 
 // A block's samples; false if they are left to the definition, by which a leaf may have any number.
 bool find_samples(const Corners& corners, const DrawSetup& setup, const BlockForm& form,
@@ -147,6 +106,7 @@ void keep_samples(const DrawSetup& setup, DrawMemory& memory, const Emitter<Samp
         const Sample whole = sample_of(s, setup.spec.half_px());
         std::int64_t offset = 0;
         std::uint32_t code = 0;
+        if (!setup.band.has(whole.py)) continue;
         if (!is_cast(setup, memory.corners, whole, offset)) continue;
         if (!emit.code_of(s.z, offset, code)) continue;
         list.sample[kept] = s;
@@ -219,67 +179,20 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
             walk.drop_patch();
             continue;
         }
-        ++counts.patches;
         ScreenBounds bounds;
         while (walk.next(bounds)) {
-            const Footprint reached = footprint(bounds, setup.spec);
+            const Footprint reached = clipped(footprint(bounds, setup.spec), setup.band);
             if (setup.leaves_out_hidden && emit.sink.hidden(reached)) {
                 ++counts.hidden_blocks;
                 continue;
             }
             if constexpr (requires { emit.sink.expect(reached); }) emit.sink.expect(reached);
             if (!walk.make_corners(form)) {
-                ++counts.unresolved;
+                counts.unresolved += walk.counted() ? 1 : 0;
                 continue;
             }
             ++counts.blocks;
             sample_block(setup, memory, form, walk.block(), material, emit);
-        }
-    }
-}
-
-// `all`: whatever setup.drawn says, for a mesh that was chosen as a whole.
-template <class SampleSink>
-void draw_facets(const Mesh& mesh, const DrawSetup& setup, FacetWalk& walk,
-                 const Emitter<SampleSink>& emit, bool all = false) {
-    DrawCounts& counts = emit.counts;
-    walk.begin(mesh);
-    for (const Facet& facet : mesh.facets) {
-        const Material* material = material_of<SampleSink>(facet.material, setup);
-        const FacetWalk::Outcome outcome = walk.project(facet);
-        if (!all && !setup.draws([&] { return walk.unseen(outcome); })) continue;
-        ++counts.facets;
-        if (outcome == FacetWalk::Outcome::unresolved) ++counts.unresolved_facets;
-        if (outcome == FacetWalk::Outcome::cut) ++counts.cut_facets;
-        if (outcome > FacetWalk::Outcome::cut) continue;
-        for (std::size_t k = 0; k < walk.triangles(); ++k) {
-            const FacetTriangle triangle = walk.triangle(k);
-            const auto& [a, b, c] = triangle.screen;
-            if (setup.facet_facing() != Facing::both &&
-                !is_drawn(setup.facet_facing(), turn(a, b, c.x, c.y))) {
-                ++counts.turned_triangles;
-                continue;
-            }
-            std::int64_t offset = 0;
-            if (!setup.casters.all_alike() && setup.casters.slope_q8 > 0)
-                offset = setup.casters.offset(depth_slope(a, b, c));
-            std::uint64_t lines = 0;
-            if constexpr (HasPlaces<SampleSink>) {
-                const FacetShading* const none = nullptr;
-                lines = sample_triangle_places(a, b, c, emit.sink.places,
-                                               [&](const Sample& s) { emit(s, none, offset); });
-            } else if constexpr (SampleSink::shades) {
-                const FacetShading shading(triangle, walk.facet(), facet.normal[0] == Facet::flat,
-                                           setup.shading, *material);
-                lines = sample_triangle(a, b, c, setup.spec,
-                                        [&](const Sample& s) { emit(s, &shading, offset); });
-            } else {
-                const FacetShading* const none = nullptr;
-                lines = sample_triangle(a, b, c, setup.spec,
-                                        [&](const Sample& s) { emit(s, none, offset); });
-            }
-            counts.triangles += lines > 0 ? 1 : 0;
-            counts.triangle_lines += lines;
         }
     }
 }
@@ -297,7 +210,7 @@ void draw_diced(std::span<const Patch> patches, std::span<const std::uint32_t> o
         ++emit.counts.patches;
         ++emit.counts.diced_patches;
         emit.counts.diced_vertices += mesh.vertices.size();
-        draw_facets(mesh, setup, walk, emit, true);
+        FacetDrawing(setup, memory.facets, walk, emit).draw(mesh, true);
     }
 }
 
@@ -322,11 +235,13 @@ DrawCounts draw(const Surfaces& surfaces, std::span<const std::uint32_t> order,
     const std::uint64_t of_patches = counts.samples;
     if constexpr (hw::built(hw::Feature::triangles)) {
         if (diced || !surfaces.mesh.facets.empty()) {
-            FacetWalk walk(setup.spec, setup.matrix, setup.object, setup.work, SampleSink::shades);
+            const FacetForm* form = setup.blocks != nullptr ? &setup.blocks->facets : nullptr;
+            FacetWalk walk(setup.spec, setup.matrix, setup.object, setup.work, SampleSink::shades,
+                           form);
             if constexpr (hw::built(hw::Feature::dicing)) {
                 if (diced) detail::draw_diced(surfaces.patches, order, setup, memory, walk, emit);
             }
-            detail::draw_facets(surfaces.mesh, setup, walk, emit);
+            detail::FacetDrawing(setup, memory.facets, walk, emit).draw(surfaces.mesh, false);
         }
     }
     counts.facet_samples = counts.samples - of_patches;

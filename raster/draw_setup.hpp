@@ -1,9 +1,11 @@
 // What a drawing is asked for (DrawSetup), and the memory that it works in.
 #pragma once
 
+#include "hw/band.hpp"
 #include "raster/block_form.hpp"
 #include "raster/casters.hpp"
 #include "raster/dice.hpp"
+#include "raster/facet_batch.hpp"
 #include "raster/projection.hpp"
 #include "raster/shading.hpp"
 #include "raster/view.hpp"
@@ -49,6 +51,8 @@ struct DrawSetup {
     Drawn drawn = Drawn::all;
     Casters casters{};  // of a light's map
     const BlockForm* blocks = nullptr;  // another than the fastest
+    bool batches_facets = true;         // where the forms cover them; else each by itself
+    hw::Band band{};  // samples of other lines are left out, and blocks that have none in it
 
     bool by_centres() const {
         return !hw::built(hw::Feature::leaf_sampling) || sampling == Sampling::centre;
@@ -72,6 +76,7 @@ struct StackBlock {
     std::array<Component, 4> screen;  // x, y, z, or X, Y, Z, W
     std::array<Component, 3> world;   // only where the sink shades
     int level_u, level_v;
+    int line;  // of the frame: the worker whose band has it counts the block
 };
 
 // A split takes one block from the stack and puts two back, so the stack grows by one a level; the
@@ -85,6 +90,7 @@ struct DrawMemory {
     LeafLevels levels;
     struct Nothing {};
     std::conditional_t<hw::built(hw::Feature::dicing), DiceMemory, Nothing> dice;
+    std::conditional_t<hw::built(hw::Feature::triangles), FacetMemory, Nothing> facets;
 };
 
 }  // namespace umbra78::raster

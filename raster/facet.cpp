@@ -1,6 +1,7 @@
 #include "raster/facet.hpp"
 
 #include "fixed/overflow.hpp"
+#include "raster/block_form.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -142,6 +143,16 @@ const UnitVector& FacetShading::side() const {
 }
 
 Shades FacetShading::shade(const Sample& s, Shadowed shadowed) const {
+    bool to_points = spec_.viewer.to_point;
+    for (const ShadingSource& source : std::span(spec_.sources).first(spec_.source_count))
+        to_points = to_points || source.toward.to_point;
+    if (!flat_ || to_points || shadowed != 0) return shade_sample(s, shadowed, to_points);
+    if (!has_lit_) lit_ = shade_sample(s, 0, false);
+    has_lit_ = true;
+    return lit_;
+}
+
+Shades FacetShading::shade_sample(const Sample& s, Shadowed shadowed, bool to_points) const {
     const std::span sources = std::span(spec_.sources).first(spec_.source_count);
     BySource<Cosines> all;
     const std::span used = std::span(all).first(sources.size());
@@ -149,8 +160,6 @@ Shades FacetShading::shade(const Sample& s, Shadowed shadowed) const {
         std::ranges::fill(used, facing_all);
         return raster::shade(used, spec_, material_, shadowed);
     }
-    bool to_points = spec_.viewer.to_point;
-    for (const ShadingSource& source : sources) to_points = to_points || source.toward.to_point;
     Weights t{1024, 0, 0};
     const auto& v = triangle_.vertex;
     if (!flat_ || to_points) t = weights(s);
@@ -174,9 +183,32 @@ UnitVector FacetShading::normal(const Sample&) const {
 }
 
 FacetWalk::FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,
-                     hw::UnitWork work, bool shades)
+                     hw::UnitWork work, bool shades, const FacetForm* form)
     : spec_(spec), unit_(spec, matrix, object, work), object_(object), shades_(shades),
-      band_(guard_band(spec, matrix.affine)) {}
+      band_(guard_band(spec, matrix.affine)),
+      form_(form != nullptr ? *form : fastest_block_form().facets),
+      by_lanes_(!matrix.divides() && work == hw::UnitWork{} && make_job()) {}
+
+// An affine view's rows, where they shift and round as the lanes do.
+bool FacetWalk::make_job() {
+    const bool half_up = spec_.transform_rounding == Rounding::half_up;
+    if (!half_up && spec_.transform_rounding != Rounding::floor) return false;
+    job_.object_down = world_fraction - object_.fraction;
+    const auto limits = cube_limits(spec_);
+    for (std::size_t r = 0; r < 3; ++r) {
+        const int fraction = r == 2 ? spec_.depth_fraction() + depth_guard(spec_) : raster_fraction;
+        VertexRow& row = job_.row[r];
+        row.down = hw::affine_shift(unit_.matrix(), static_cast<hw::Row>(r), spec_, object_,
+                                    fraction);
+        if (row.down < 1 || row.down > 62) return false;
+        for (std::size_t c = 0; c < 3; ++c) row.coefficient[c] = unit_.matrix().word[r][c];
+        row.constant = std::int64_t{unit_.matrix().word[r][3]} * object_.one_word() +
+                       (half_up ? std::int64_t{1} << (row.down - 1) : 0);
+        row.edge = limits[r];
+        row.band = band_[r];
+    }
+    return job_.object_down >= 1;
+}
 
 void FacetWalk::begin(const Mesh& mesh) {
     mesh_ = mesh;
@@ -249,14 +281,28 @@ bool FacetWalk::to_corner(const ScreenPlace& p, Corner& out) const {
     return true;
 }
 
-bool FacetWalk::in_cube(std::uint32_t vertex) {
-    const Seen& s = see(vertex);
-    if (!s.has_corner) return false;
-    ScreenBounds bounds{};
-    bounds[0].min = bounds[0].max = s.corner.x;
-    bounds[1].min = bounds[1].max = s.corner.y;
-    bounds[2].min = bounds[2].max = s.corner.z;
-    return block_action(bounds, spec_) != BlockAction::outside;
+void FacetWalk::see_run(std::uint32_t first, SeenVertex* out) {
+    const std::size_t count = std::min<std::size_t>(run, mesh_.vertices.size() - first);
+    if (!by_lanes_) {
+        for (std::uint32_t k = 0; k < count; ++k) out[k] = corner_of(first + k);
+        return;
+    }
+    if (count == run) return form_.see(job_, &mesh_.vertices[first], out);
+    std::array<World, run> last{};
+    std::copy_n(mesh_.vertices.begin() + first, count, last.begin());
+    form_.see(job_, last.data(), out);
+}
+
+SeenVertex FacetWalk::corner_of(std::uint32_t number) {
+    const Seen& s = see(number);
+    if (!s.has_corner) return {0, 0, 0, SeenVertex::beyond_band};
+    const auto limits = cube_limits(spec_);
+    const std::array<std::int32_t, 3> at{s.corner.x, s.corner.y, s.corner.z};
+    SeenVertex out{at[0], at[1], at[2], 0};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        out.outside |= (at[axis] < -limits[axis] ? 1u << 2 * axis : 0) |
+                       (at[axis] > limits[axis] ? 2u << 2 * axis : 0);
+    return out;
 }
 
 bool FacetWalk::footprint(Footprint& out) const {

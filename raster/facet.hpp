@@ -14,6 +14,7 @@
 // are costed so. The host keeps the last ones, which changes no bit.
 #pragma once
 
+#include "raster/facet_form.hpp"
 #include "raster/footprint.hpp"
 #include "raster/projection.hpp"
 #include "raster/shading.hpp"
@@ -68,6 +69,7 @@ public:
 private:
     using Weights = std::array<std::int64_t, 3>;  // of 1024
     Weights weights(const Sample& s) const;
+    Shades shade_sample(const Sample& s, Shadowed shadowed, bool to_points) const;
     const UnitVector& side() const;
 
     const FacetTriangle& triangle_;
@@ -75,15 +77,17 @@ private:
     bool flat_;
     const ShadingSpec& spec_;
     const Material& material_;
-    mutable bool has_side_ = false;
+    mutable bool has_side_ = false, has_lit_ = false;
     mutable UnitVector side_{};  // the facet's own normal, made when it is needed
+    mutable Shades lit_{};       // where all samples are alike: a flat facet, nothing at a point
 };
 
 // Everything of a facet but its samples.
 class FacetWalk {
 public:
+    // `form`: another than the fastest.
     FacetWalk(const MachineSpec& spec, const MatrixWords& matrix, WordFormat object,
-              hw::UnitWork work, bool shades);
+              hw::UnitWork work, bool shades, const FacetForm* form = nullptr);
 
     // Before the facets of another mesh.
     void begin(const Mesh& mesh);
@@ -93,8 +97,10 @@ public:
 
     // Of the facet that was projected last, if it is ready or cut:
     bool footprint(Footprint& out) const;  // false if it lies outside the cube
-    // Whether a vertex lies in the cube; a facet of three such vertices is neither cut nor unseen.
-    bool in_cube(std::uint32_t vertex);
+    // The mesh's vertices from `first` on, 16 or as many as there are. One without a corner counts
+    // as beyond the guard band. A facet of which all lie in the cube is neither cut nor unseen.
+    static constexpr std::uint32_t run = 16;
+    void see_run(std::uint32_t first, SeenVertex* out);
     // Whether a facet with this outcome has no sample in the view.
     bool unseen(Outcome outcome) const {
         Footprint f;
@@ -115,6 +121,8 @@ private:
         WideVector world;
     };
     const Seen& see(std::uint32_t number);
+    SeenVertex corner_of(std::uint32_t number);
+    bool make_job();
     void fill(const Facet& facet, std::size_t k, const Seen& seen);
     bool to_corner(const ScreenPlace& place, Corner& out) const;
 
@@ -123,6 +131,9 @@ private:
     WordFormat object_;
     bool shades_;
     GuardBand band_;
+    const FacetForm& form_;
+    VertexJob job_{};
+    bool by_lanes_;  // whether the job covers the view
     FacetPolygon polygon_;
     std::array<Corner, 9> corner_{};
     std::array<WideVector, 3> facet_{};

@@ -4,6 +4,7 @@
 // every sample, and usually more than the samples reach.
 #pragma once
 
+#include "hw/band.hpp"
 #include "raster/projection.hpp"
 #include "raster/scene.hpp"
 
@@ -23,6 +24,13 @@ Footprint whole_frame(const MachineSpec& spec);
 // clamped to the frame. Z: a quantum beyond the bounds, because rounding moves the corners that
 // are computed; 0 or the deepest code drawn where that is outside the volume.
 Footprint footprint(const ScreenBounds& bounds, const MachineSpec& spec);
+
+// Its lines in a band alone.
+constexpr Footprint clipped(Footprint f, const hw::Band& band) {
+    if (f.y0 < band.first) f.y0 = band.first;
+    if (f.y1 >= band.end) f.y1 = band.end - 1;
+    return f;
+}
 
 // Of a whole patch in a view whose loaded matrix is `matrix`. `out` is set unless the patch is
 // outside; where its bounds are unknown it is the whole frame.

@@ -139,14 +139,6 @@ WordFormat object_format(std::uint32_t largest) {
     return {object_bits, fraction};
 }
 
-hw::Words to_object_words(const World& place, WordFormat format) {
-    const auto word = [&](std::int32_t v) {
-        return static_cast<std::int32_t>(
-            fixed::scale_shift(v, world_fraction - format.fraction, Rounding::half_up));
-    };
-    return {word(place.x), word(place.y), word(place.z)};
-}
-
 ObjectWords to_object_words(const Patch& patch, WordFormat format) {
     ObjectWords out{};
     for (std::size_t k = 0; k < 16; ++k) out[k] = to_object_words(patch.control[k], format);

@@ -39,7 +39,13 @@ WordFormat object_format(std::uint32_t largest);
 using ObjectWords = std::array<hw::Words, 16>;
 
 // A place, and a patch's control points, in object words, rounded half up.
-hw::Words to_object_words(const World& place, WordFormat format);
+constexpr hw::Words to_object_words(const World& place, WordFormat format) {
+    const auto word = [&](std::int32_t v) {
+        return static_cast<std::int32_t>(fixed::scale_shift(
+            v, world_fraction - format.fraction, fixed::Rounding::half_up));
+    };
+    return {word(place.x), word(place.y), word(place.z)};
+}
 ObjectWords to_object_words(const Patch& patch, WordFormat format);
 
 // A place in a view. Affine: X, Y, Z in raster units, and 1. Perspective: X, Y, Z, W of 44 bits.

@@ -189,27 +189,32 @@ void sample_leaves(const Corners& g, const hw::MachineSpec& spec, Emit&& emit) {
 }
 
 // A sample's Z code, rounded by spec.depth_rounding; false where the sample lies before the near
-// plane or beyond the far one. What would get the background's code gets one code less. Half up,
-// which the figures use, takes fewer steps than the other roundings.
+// plane or beyond the far one. What would get the background's code gets one code less; a store of
+// floats keeps the nearest of theirs. Half up without floats, which the figures use, takes fewer
+// steps than the others.
 class DepthCoder {
 public:
     explicit constexpr DepthCoder(const hw::MachineSpec& spec)
-        : guard_(depth_guard(spec)), rounding_(spec.depth_rounding), offset_(spec.depth_offset()),
-          background_(spec.background()) {}
+        : spec_(spec), guard_(depth_guard(spec)), offset_(spec.depth_offset()),
+          background_(spec.background()),
+          plain_(spec.depth_rounding == fixed::Rounding::half_up && guard_ > 0 &&
+                 spec.depth_store == hw::DepthStore::fixed) {}
 
     [[gnu::always_inline]] constexpr bool operator()(std::int64_t z, std::uint32_t& code) const {
-        if (rounding_ != fixed::Rounding::half_up) [[unlikely]] return general(z, code);
+        if (!plain_) [[unlikely]] return general(z, code);
         return of_rounded(half_up(z, guard_), code);
     }
     // Of a sample that was moved away from the near plane; not beyond the far one.
     constexpr std::uint32_t moved(std::int64_t z) const {
         std::uint32_t code = 0;
-        return general(z, code) ? code : static_cast<std::uint32_t>(background_) - 1;
+        return general(z, code) ? code : spec_.kept(static_cast<std::uint32_t>(background_) - 1);
     }
 
 private:
     constexpr bool general(std::int64_t z, std::uint32_t& code) const {
-        return of_rounded(fixed::round_shift(z, guard_, rounding_), code);
+        if (!of_rounded(fixed::round_shift(z, guard_, spec_.depth_rounding), code)) return false;
+        code = spec_.kept(code);
+        return true;
     }
     constexpr bool of_rounded(std::int64_t rounded, std::uint32_t& code) const {
         const std::int64_t c = rounded + offset_;
@@ -218,9 +223,10 @@ private:
         return true;
     }
 
+    hw::MachineSpec spec_;
     int guard_;
-    fixed::Rounding rounding_;
     std::int64_t offset_, background_;
+    bool plain_;
 };
 
 constexpr bool depth_code(std::int64_t z, const hw::MachineSpec& spec, std::uint32_t& code) {

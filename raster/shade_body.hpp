@@ -1,4 +1,4 @@
-// The levels of a block's leaves in lanes, 16 at a time (hw/MACHINE.md, section 9). The second
+// Levels in lanes, of 16 leaves or samples at a time (hw/MACHINE.md, section 9). The second
 // part of block_body.hpp's text.
 //
 // Lengths and quotients come from one reciprocal root: Newton's steps without a division, then the
@@ -18,13 +18,14 @@ static inline std::int64_t times_signed(std::int32_t a, std::int32_t b) {
     return std::int64_t{a} * b;
 }
 
-// The bilinear mean of a block's normals at the leaves' centres, its length and about its
-// reciprocal, Q.30 of 2^24.
+// Normals of lengths from about 2^23.5 to 2^24, those lengths and about their reciprocals, Q.30 of
+// 2^24.
 struct LeafNormals {
     Lanes n[3];
     Wide length, reciprocal;
 };
 
+// The bilinear mean of a block's normals at the leaves' centres.
 static inline void find_normals(const ShadeJob& job, const std::uint8_t* leaf, LeafNormals& out) {
     for (int k = 0; k < 3; ++k) {
         const std::int32_t a = job.normal[0][k], b = job.normal[1][k];
@@ -35,6 +36,9 @@ static inline void find_normals(const ShadeJob& job, const std::uint8_t* leaf, L
             out.n[k][i] = (32 - v) * ((32 - u) * a + u * b) + v * ((32 - u) * c + u * d);
         }
     }
+}
+
+static inline void find_lengths(LeafNormals& __restrict out) {
     for (int i = 0; i < leaves; ++i) {
         const auto square = static_cast<std::uint64_t>(times_signed(out.n[0][i], out.n[0][i]) +
                                                        times_signed(out.n[1][i], out.n[1][i]) +
@@ -127,12 +131,12 @@ static inline void put(const std::uint8_t* leaf, std::size_t count, const std::u
     for (std::size_t i = 0; i < count; ++i) plane[leaf[i]] = static_cast<std::uint8_t>(levels[i]);
 }
 
-static void shade_16(const ShadeJob& job, const std::uint8_t* leaf, std::size_t count,
-                     LeafLevels& out) {
-    LeafNormals normals;
+// The levels of `count` leaves or samples with these normals, by their numbers.
+static void shade_16(const ShadeJob& job, LeafNormals& normals, const std::uint8_t* leaf,
+                     std::size_t count, LeafLevels& out) {
     Lanes n_v, n_l, n_h = {}, shine = {};
     ChannelLevels channels[max_channels];
-    find_normals(job, leaf, normals);
+    find_lengths(normals);
     find_cosines(normals, job.viewer, n_v);
     for (std::size_t c = 0; c < job.channels; ++c) {
         const std::uint64_t ambient = times(word(job.diffuse[c] * job.ambient_q8), 1 << 22);
@@ -146,10 +150,13 @@ static void shade_16(const ShadeJob& job, const std::uint8_t* leaf, std::size_t 
         const ShadeSource& source = job.source[l];
         find_cosines(normals, source.toward, n_l);
         if (job.by_halfway) find_cosines(normals, source.halfway, n_h);
-        turn(n_v, n_l);
-        turn(n_v, n_h);
         Lanes facing;
-        for (int i = 0; i < leaves; ++i) facing[i] = n_v[i] < 0 ? -n_v[i] : n_v[i];
+        for (int i = 0; i < leaves; ++i) facing[i] = n_v[i];
+        if (job.two_sided) {
+            turn(n_v, n_l);
+            turn(n_v, n_h);
+            turn(n_v, facing);
+        }
         if (job.highlights) find_highlights(job, source, n_l, facing, n_h, shine);
         for (std::size_t c = 0; c < job.channels; ++c) {
             add_source(job, source, static_cast<int>(c), n_l, shine, channels[c]);
@@ -164,8 +171,11 @@ static void shade_form(const ShadeJob& job, std::uint8_t* numbers, std::size_t c
                        LeafLevels& out) {
     for (std::size_t k = 0; k < leaves; ++k)  // the last lanes hold a leaf's number, too
         if (k + 1 < leaves) numbers[count + k] = 0;
-    for (std::size_t k = 0; k < count; k += leaves)
-        shade_16(job, numbers + k, count - k < leaves ? count - k : leaves, out);
+    for (std::size_t k = 0; k < count; k += leaves) {
+        LeafNormals normals;
+        find_normals(job, numbers + k, normals);
+        shade_16(job, normals, numbers + k, count - k < leaves ? count - k : leaves, out);
+    }
 }
 
 #endif

@@ -1,7 +1,7 @@
 #include "raster/shading.hpp"
 
 #include "fixed/root.hpp"
-#include "raster/block_form.hpp"
+#include "raster/shade_job.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -205,33 +205,27 @@ UnitVector BlockShading::normal(const Sample& s) const {
                        toward(spec_.viewer, s.leaf_i, s.leaf_j));
 }
 
-bool BlockShading::job(ShadeJob& out) const {
-    bool covers = spec_.rule != ShadingRule::none && !spec_.viewer.to_point;
-    for (std::size_t l = 0; l < spec_.source_count; ++l)
-        covers = covers && !spec_.sources[l].toward.to_point;
-    for (std::size_t a = 0; a < 4; ++a)
-        for (std::size_t b = 0; b < a; ++b)
-            covers = covers && dot(wide(normal_[a]), wide(normal_[b])) >= one_q14 * one_q14 / 2;
+bool shade_job(const ShadingSpec& spec, const Material& material, ShadeJob& out) {
+    bool covers = spec.rule != ShadingRule::none && !spec.viewer.to_point;
+    for (std::size_t l = 0; l < spec.source_count; ++l)
+        covers = covers && !spec.sources[l].toward.to_point;
     if (!covers) return false;
-    out.sources = spec_.source_count;
-    out.channels = std::min(spec_.channels, max_channels);
-    out.ambient_q8 = spec_.ambient_q8;
-    out.by_halfway = spec_.rule == ShadingRule::blinn;
-    out.highlights = out.by_halfway || spec_.rule == ShadingRule::phong;
-    out.squares = material_.shininess + (out.by_halfway ? 2 : 0);
+    out.sources = spec.source_count;
+    out.channels = std::min(spec.channels, max_channels);
+    out.ambient_q8 = spec.ambient_q8;
+    out.by_halfway = spec.rule == ShadingRule::blinn;
+    out.highlights = out.by_halfway || spec.rule == ShadingRule::phong;
+    out.two_sided = false;
+    out.squares = material.shininess + (out.by_halfway ? 2 : 0);
     for (std::size_t c = 0; c < out.channels; ++c) {
-        out.diffuse[c] = material_.diffuse[c];
-        out.specular[c] = material_.specular[c];
+        out.diffuse[c] = material.diffuse[c];
+        out.specular[c] = material.specular[c];
     }
-    const UnitVector& v = spec_.viewer.direction;
-    for (std::size_t k = 0; k < 3; ++k) {
-        out.viewer[k] = v[k];
-        for (std::size_t corner = 0; corner < 4; ++corner)
-            out.normal[corner][k] = normal_[corner][k];
-    }
+    const UnitVector& v = spec.viewer.direction;
+    for (std::size_t k = 0; k < 3; ++k) out.viewer[k] = v[k];
     for (std::size_t s = 0; s < out.sources; ++s) {
         ShadeSource& source = out.source[s];
-        const UnitVector& l = spec_.sources[s].toward.direction;
+        const UnitVector& l = spec.sources[s].toward.direction;
         UnitVector halfway{};
         if (out.by_halfway) halfway = unit_vector({l[0] + v[0], l[1] + v[1], l[2] + v[2]});
         for (std::size_t k = 0; k < 3; ++k) {
@@ -241,8 +235,19 @@ bool BlockShading::job(ShadeJob& out) const {
         source.l_dot_v = static_cast<std::int32_t>(
             fixed::round_shift(dot(wide(l), wide(v)), unit_fraction, Rounding::floor));
         for (std::size_t c = 0; c < out.channels; ++c)
-            source.level_q8[c] = spec_.sources[s].level_q8[c];
+            source.level_q8[c] = spec.sources[s].level_q8[c];
     }
+    return true;
+}
+
+bool BlockShading::job(ShadeJob& out) const {
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            if (dot(wide(normal_[a]), wide(normal_[b])) < one_q14 * one_q14 / 2) return false;
+    if (!shade_job(spec_, material_, out)) return false;
+    out.two_sided = true;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        for (std::size_t k = 0; k < 3; ++k) out.normal[corner][k] = normal_[corner][k];
     return true;
 }
 

@@ -6,7 +6,9 @@
 // A nearer sample replaces what is stored; at equal Z the smaller (intensity, direct shares,
 // normal) does.
 // So the store holds the smallest record in whatever order the samples come, and blocks may be
-// skipped where they are hidden, reordered or shared out.
+// skipped where they are hidden, reordered or shared out: to copies of a sink that draw different
+// lines at the same time (`by_pixel`: a sample reads and writes its own pixel alone), or to sinks
+// with stores of their own (`into`), which are merged afterwards (merge.hpp).
 #pragma once
 
 #include "hw/features.hpp"
@@ -34,6 +36,23 @@ bool all_nearer(const hw::FrameStore<Depth>& store, const Footprint& f) {
     return true;
 }
 
+// A store's plane as the forms of a mesh read and write it; none for wider codes.
+template <class Depth>
+CodePlane code_plane_of(const hw::FrameStore<Depth>& store, const hw::MachineSpec& spec,
+                        bool depth_alone) {
+    if constexpr (std::is_same_v<Depth, hw::Depth16>) {
+        if (spec.depth_rounding == fixed::Rounding::half_up &&
+            spec.depth_store == hw::DepthStore::fixed)
+            return {store.depth.data(),
+                    store.xy_bits,
+                    depth_guard(spec),
+                    static_cast<std::int32_t>(spec.depth_offset()),
+                    static_cast<std::int32_t>(spec.background()),
+                    depth_alone};
+    }
+    return {};
+}
+
 // Asks for the memory of a plane's pixels in a footprint, before samples come to them.
 template <class Word>
 void expect_pixels(const Word* plane, int xy_bits, const Footprint& f) {
@@ -46,11 +65,17 @@ void expect_pixels(const Word* plane, int xy_bits, const Footprint& f) {
 
 template <class Depth>
 struct DepthSink {
-    static constexpr bool shades = false;
+    static constexpr bool shades = false, by_pixel = true;
     hw::FrameStore<Depth>& store;
+
+    DepthSink into(hw::FrameStore<Depth>& other) const { return {other}; }
+    hw::FrameStore<Depth> target() const { return {store.xy_bits, store.depth}; }
 
     bool hidden(const Footprint& f) const { return all_nearer(store, f); }
     void expect(const Footprint& f) const { expect_pixels(store.depth.data(), store.xy_bits, f); }
+    CodePlane code_plane(const hw::MachineSpec& spec) const {
+        return code_plane_of(store, spec, true);
+    }
     void sample(const Sample& s, std::uint32_t code, const void*) {
         Depth& z = store.depth[store.address(s.px, s.py)];
         const std::uint32_t kept = z;  // stored in any case: which is the nearer is hard to predict
@@ -89,8 +114,10 @@ public:
         }
     }
 
-    // Whether a leaf's levels, which lie by planes already, come before those at an address.
-    bool is_less(const LeafLevels& levels, std::size_t leaf, std::size_t address) const {
+    // Whether a leaf's levels, which lie by planes already, come before those at an address: asked
+    // where depths are equal.
+    [[gnu::noinline]] bool is_less(const LeafLevels& levels, std::size_t leaf,
+                                   std::size_t address) const {
         const auto* plane = levels.level;
         for (std::size_t k = 0; k < channels_; ++k) {
             for (std::size_t l = 0; l <= sources_; ++l) {
@@ -105,6 +132,11 @@ public:
     }
     void put(std::size_t address, const LeafLevels& levels, std::size_t leaf) const {
         const auto* plane = levels.level;
+        if (channels_ == 1 && sources_ == 1) {  // most frames
+            intensity_[address] = plane[0][leaf];
+            direct_[address] = plane[1][leaf];
+            return;
+        }
         for (std::size_t k = 0; k < channels_; ++k) {
             intensity_[k * pixels_ + address] = (*plane++)[leaf];
             for (std::size_t l = 0; l < sources_; ++l)
@@ -151,9 +183,12 @@ private:
 template <class Depth>
 class PictureSink {
 public:
-    static constexpr bool shades = true;
+    static constexpr bool shades = true, by_pixel = true;
 
     PictureSink(hw::FrameStore<Depth>& store) : store_(store), planes_(store), normals_(store) {}
+
+    PictureSink into(hw::FrameStore<Depth>& other) const { return PictureSink(other); }
+    const hw::FrameStore<Depth>& target() const { return store_; }
 
     bool hidden(const Footprint& f) const { return all_nearer(store_, f); }
     void expect(const Footprint& f) const {
@@ -170,8 +205,8 @@ public:
     template <class Shading>
     void sample(const Sample& s, std::uint32_t code, const Shading* shading) {
         if constexpr (requires { shading->kept(); }) {
-            if (shading->kept() != nullptr && !normals_.kept()) {
-                take(store_.address(s.px, s.py), code, *shading->kept(), leaf_number(s));
+            if (shading->kept() != nullptr && takes_levels()) {
+                take(s.px, s.py, code, *shading->kept(), leaf_number(s));
                 return;
             }
         }
@@ -194,15 +229,21 @@ public:
         return true;
     }
 
-private:
     // A sample whose levels are made already, where no normals are kept.
-    void take(std::size_t a, std::uint32_t code, const LeafLevels& levels, std::size_t leaf) {
+    CodePlane code_plane(const hw::MachineSpec& spec) const {
+        return code_plane_of(store_, spec, false);
+    }
+    bool takes_levels() const { return !normals_.kept(); }
+    [[gnu::always_inline]] void take(int px, int py, std::uint32_t code, const LeafLevels& levels,
+                                     std::size_t leaf) {
+        const std::size_t a = store_.address(px, py);
         Depth& z = store_.depth[a];
         if (code > z || (code == z && !planes_.is_less(levels, leaf, a))) return;
         z = static_cast<Depth>(code);
         planes_.put(a, levels, leaf);
     }
 
+private:
     hw::FrameStore<Depth>& store_;
     ShadePlanes<Depth> planes_;
     NormalPlanes<Depth> normals_;

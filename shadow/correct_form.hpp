@@ -32,7 +32,7 @@ using TestedLights = raster::BySource<std::optional<TestedLight<Depth>>>;
 template <class Depth>
 class CorrectSink {
 public:
-    static constexpr bool shades = true;
+    static constexpr bool shades = true, by_pixel = true;
 
     CorrectSink(hw::FrameStore<Depth>& store, const TestedLights<Depth>& lights,
                 const ShadowTest& settings, bool noise)

@@ -11,7 +11,7 @@
 // interpolated, and not the result of the comparison, which the filters smooth later.
 // In: X and Y in texels from the map's centre with F = fraction_bits (0..12) fraction bits, Z in
 // quanta from the middle of its range. Out: texels 0 .. size_px - 1 inside the map; the four of
-// bilinear lookup reach from -1 to size_px. `blend` is exact, at most z_bits + 2 F <= 48 bits.
+// bilinear lookup reach from -1 to size_px. `blend` is exact, at most z_bits + 2 F <= 50 bits.
 //
 // The definition (shadow/compare.hpp), the clocked form (shadow/clocked/lookup.hpp), the memory
 // replay and the trace call these functions. The row form (shadow/post_process_rows.cpp) writes
@@ -56,7 +56,7 @@ constexpr LightPlace light_place(const hw::MachineSpec& spec, const hw::Point& p
     const std::int64_t x = p.x + d.x, y = p.y + d.y, code = p.z + spec.depth_offset();
     const bool inside = p.status == hw::DivideStatus::ok && inside_width(spec, x) &&
                         inside_width(spec, y) && inside_depth(spec, code);
-    return {inside, x, y, code};
+    return {inside, x, y, inside ? spec.kept(static_cast<std::uint32_t>(code)) : code};
 }
 
 // The same on the face of a cube, to whose edge a place beyond it is moved (hw/sectors.hpp).

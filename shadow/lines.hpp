@@ -4,6 +4,8 @@
 // visible pixel, and which lines of the mask a shadow. A pass then leaves the other lines out.
 #pragma once
 
+#include "hw/band.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -38,6 +40,13 @@ public:
         for (const std::uint64_t w : words_) n += std::popcount(w);
         return static_cast<std::uint64_t>(n);
     }
+    // Those of a band alone.
+    LineSet within(const hw::Band& band) const {
+        LineSet part(size_);
+        for (int y = std::max(band.first, 0); y < std::min(band.end, size_); ++y)
+            if (has(y)) part.add(y);
+        return part;
+    }
     // These lines and those next to them.
     LineSet with_neighbours() const {
         LineSet grown(size_);
@@ -69,16 +78,20 @@ inline LineSet lines_with_shadow(std::span<const std::uint8_t> mask, int size) {
     return lines;
 }
 
+// Whether something is visible on a line of Z codes.
+template <class Depth>
+bool has_visible(std::span<const Depth> line, std::uint32_t background) {
+    return std::ranges::any_of(line, [&](Depth code) { return code != background; });
+}
+
 // The lines of a plane of Z codes with something visible.
 template <class Depth>
 LineSet lines_with_visible(std::span<const Depth> depth, int size, std::uint32_t background) {
     LineSet lines(size);
     const auto n = static_cast<std::size_t>(size);
     for (int y = 0; y < size; ++y) {
-        const Depth* line = depth.data() + static_cast<std::size_t>(y) * n;
-        std::size_t x = 0;
-        while (x < n && line[x] == background) ++x;
-        if (x < n) lines.add(y);
+        if (has_visible<Depth>(depth.subspan(static_cast<std::size_t>(y) * n, n), background))
+            lines.add(y);
     }
     return lines;
 }

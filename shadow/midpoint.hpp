@@ -18,7 +18,7 @@ namespace umbra78::shadow {
 // Both stores were cleared to the background.
 template <class Depth>
 struct MidpointSink {
-    static constexpr bool shades = false;
+    static constexpr bool shades = false, by_pixel = true;
     hw::FrameStore<Depth>& nearest;
     hw::FrameStore<Depth> second;
 
@@ -38,9 +38,11 @@ struct MidpointSink {
 
 // The map becomes that of the midpoints.
 template <class Depth>
-void take_midpoints(std::span<const Depth> second, std::span<Depth> map) {
-    std::transform(map.begin(), map.end(), second.begin(), map.begin(), [](Depth z1, Depth z2) {
-        return static_cast<Depth>((std::uint64_t{z1} + z2) >> 1);
+void take_midpoints(const hw::MachineSpec& spec, std::span<const Depth> second,
+                    std::span<Depth> map) {
+    std::transform(map.begin(), map.end(), second.begin(), map.begin(), [&](Depth z1, Depth z2) {
+        const auto middle = static_cast<std::uint32_t>((std::uint64_t{z1} + z2) >> 1);
+        return static_cast<Depth>(middle == spec.background() ? middle : spec.kept(middle));
     });
 }
 

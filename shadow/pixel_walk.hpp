@@ -5,6 +5,7 @@
 // pixel's noise depends on its place alone.
 #pragma once
 
+#include "hw/band.hpp"
 #include "shadow/lines.hpp"
 #include "shadow/post_process.hpp"
 
@@ -23,18 +24,20 @@ struct WalkedPixel {
 };
 
 // Calls `line(y)` for a scan line that is left out because nothing in it is visible, and
-// `pixel(WalkedPixel)` for every pixel of the others. `noisy_taps`: a pixel's taps that read noise.
+// `pixel(WalkedPixel)` for every pixel of the others, within a band of the frame. `noisy_taps`: a
+// pixel's taps that read noise.
 template <class Depth, class Line, class Pixel>
 void walk_pixels(const hw::FrameStore<const Depth>& observer, const ShadowTest& test,
-                 const PostProcessWork& work, int noisy_taps, Line&& line, Pixel&& pixel) {
+                 const PostProcessWork& work, int noisy_taps, hw::Band band, Line&& line,
+                 Pixel&& pixel) {
     const hw::MachineSpec& spec = test.machine;
     const bool draws_noise = hw::built(hw::Feature::dither) && work.noise;
     const int size = spec.size_px();
-    const LineSet lines =
-        work.empty_lines ? LineSet::all(size)
-                         : lines_with_visible<Depth>(observer.depth, size, spec.background());
-    for (int y = 0; y < size; ++y) {
-        if (!lines.has(y)) {
+    band = band.within(size);
+    for (int y = band.first; y < band.end; ++y) {
+        const std::span codes = observer.depth.subspan(observer.address(0, y),
+                                                       static_cast<std::size_t>(size));
+        if (!work.empty_lines && !has_visible<Depth>(codes, spec.background())) {
             line(y);
             continue;
         }

@@ -20,7 +20,7 @@ namespace umbra78::shadow {
 template <class Depth>
 class CoverageSink {
 public:
-    static constexpr bool shades = false;
+    static constexpr bool shades = false, by_pixel = true;
 
     // `store` holds the ground alone.
     CoverageSink(const hw::FrameStore<Depth>& store, const hw::MachineSpec& spec,
@@ -54,7 +54,7 @@ private:
 template <class Depth, class LightUp>
 class BeforeSink {
 public:
-    static constexpr bool shades = true;
+    static constexpr bool shades = true, by_pixel = true;
 
     BeforeSink(hw::FrameStore<Depth>& store, LightUp light_up)
         : store_(store), picture_(store), light_up_(light_up) {}

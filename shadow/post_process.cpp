@@ -10,8 +10,8 @@ namespace umbra78::shadow {
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask,
-                               const ReceiverWords& receiver) {
+                               std::span<std::uint8_t> mask, const ReceiverWords& receiver,
+                               hw::Band band) {
     const hw::MachineSpec& spec = test.machine;
     check(maps, spec, mask);
     const hw::FrameStore<const Depth>& observer = maps.observer;
@@ -23,7 +23,7 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
         std::fill_n(mask.data() + observer.address(0, y), spec.size_px(), mask_lit);
     };
     const int noisy_taps = map.window.noisy_taps();
-    walk_pixels(observer, test, work, noisy_taps, left_out, [&](const WalkedPixel& at) {
+    walk_pixels(observer, test, work, noisy_taps, band, left_out, [&](const WalkedPixel& at) {
         mask[at.address] = mask_lit;
         if (!at.visible && !work.background) return;
         ++counts.visible;
@@ -38,9 +38,9 @@ PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWor
 
 template PostProcessCounts post_process(const DepthMaps<hw::Depth16>&, const hw::MatrixWords&,
                                         const ShadowTest&, const PostProcessWork&,
-                                        std::span<std::uint8_t>, const ReceiverWords&);
+                                        std::span<std::uint8_t>, const ReceiverWords&, hw::Band);
 template PostProcessCounts post_process(const DepthMaps<hw::Depth32>&, const hw::MatrixWords&,
                                         const ShadowTest&, const PostProcessWork&,
-                                        std::span<std::uint8_t>, const ReceiverWords&);
+                                        std::span<std::uint8_t>, const ReceiverWords&, hw::Band);
 
 }  // namespace umbra78::shadow

@@ -7,12 +7,13 @@
 // Its cost depends on the resolution alone: one transform a visible pixel, whatever was drawn.
 // `post_process` is the definition, one pixel at a time. `post_process_rows` runs the same
 // arithmetic one scan line at a time, in the lanes of the processor (shadow/row_form.hpp); it
-// covers words of 1978's widths, affine views and nearest or bilinear lookup (rows_cover). Tests
-// hold the two equal bit for bit.
+// covers codes of up to 16 bits and nearest or bilinear lookup, affine or in perspective
+// (rows_cover). Tests hold the two equal bit for bit.
 // Both read the depth maps (DepthMaps), write every byte of the mask, and trap if the maps or the
 // mask have other sizes than the machine.
 #pragma once
 
+#include "hw/band.hpp"
 #include "shadow/compare.hpp"
 #include "shadow/depth_maps.hpp"
 #include "shadow/kept_normal.hpp"
@@ -57,6 +58,13 @@ struct PostProcessCounts {
     std::uint64_t visible = 0;  // pixels transformed
     std::uint64_t shadowed = 0;  // those whose darkness is not 0
     std::uint64_t lines = 0;    // scan lines with a visible pixel; the AP-120B's form counts them
+
+    PostProcessCounts& operator+=(const PostProcessCounts& more) {
+        visible += more.visible;
+        shadowed += more.shadowed;
+        lines += more.lines;
+        return *this;
+    }
 };
 
 // What a light's test reads of its view to follow a receiver's surface: the most that its plane
@@ -68,10 +76,12 @@ struct ReceiverWords {
     LightAxes axes{};
 };
 
+// `band`: of the frame's lines these alone are tested and written.
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, const PostProcessWork& work,
-                               std::span<std::uint8_t> mask, const ReceiverWords& receiver = {});
+                               std::span<std::uint8_t> mask, const ReceiverWords& receiver = {},
+                               hw::Band band = {});
 template <class Depth>
 PostProcessCounts post_process(const DepthMaps<Depth>& maps, const hw::MatrixWords& matrix,
                                const ShadowTest& test, std::span<std::uint8_t> mask) {
@@ -86,6 +96,7 @@ struct RowMemory {
     static constexpr int noise_words = widest_row * 2 * fixed::max_uniforms / 4;
     alignas(64) std::int32_t column_high[3][widest_row];
     alignas(64) std::int32_t column_low[3][widest_row];
+    alignas(64) std::int64_t column_wide[4][widest_row];  // of result_form.hpp
     union {  // what the plain form keeps between its loops, or the sums of the lanes' noise
         alignas(64) std::int32_t result[3][widest_row];
         alignas(64) std::uint16_t noise_sums[noise_words];
@@ -104,6 +115,7 @@ bool rows_cover(const ShadowTest& test, const hw::MatrixWords& matrix);
 // Requires rows_cover, which it checks.
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& test,
-                                    RowMemory& memory, std::span<std::uint8_t> mask);
+                                    RowMemory& memory, std::span<std::uint8_t> mask,
+                                    hw::Band band = {});
 
 }  // namespace umbra78::shadow

@@ -6,7 +6,9 @@
 // and floor(a 2^S + b) / 2^S = a + floor(b / 2^S) makes the result exact in 32-bit lanes.
 // Where 32 bits without a sign hold every sum of the frame, counted from the map's corner, the
 // lanes have all bits as low ones: a rotation seldom needs more.
+// Other matrices have their results found in wide lanes before (shadow/result_form.hpp).
 
+#include "shadow/result_form.hpp"
 #include "shadow/row_form.hpp"
 
 #include "fixed/dither.hpp"
@@ -137,20 +139,31 @@ RowLine line_of(const ShadowTest& s, const LightMap<hw::Depth16>& light) {
 
 }  // namespace
 
-bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
+namespace {
+
+// Whether 32 bits hold a line's shares.
+bool shares_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     const hw::MachineSpec& m = settings.machine;
-    if (has_window(settings.lookup) || settings.receiver != Receiver::point) return false;
-    if (!matrix.affine || m.size_px() > widest_row || m.z_bits > 16 || m.word_bits() > 16 ||
-        m.coefficient_bits > 16 || m.fraction_bits > 7 || m.fraction_bits < 1 ||
-        m.dropped_bits() > 0)  // a cut product is no sum of shares
-        return false;
-    if (m.transform_rounding != Rounding::half_up && m.transform_rounding != Rounding::floor)
-        return false;
+    if (matrix.divides() || m.word_bits() > 16 || m.coefficient_bits > 16) return false;
     for (std::size_t r = 0; r < 3; ++r) {
         const int shift = rounded(settings, matrix, r).shift;
         if (shift < min_shift || shift > max_shift) return false;
     }
     return true;
+}
+
+}  // namespace
+
+bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
+    const hw::MachineSpec& m = settings.machine;
+    if (has_window(settings.lookup) || settings.receiver != Receiver::point) return false;
+    if (m.size_px() > widest_row || m.z_bits > 16 || m.depth_store != hw::DepthStore::fixed ||
+        m.fraction_bits > 7 || m.fraction_bits < 1 ||
+        m.dropped_bits() > 0)  // a cut product is no sum of shares
+        return false;
+    if (m.transform_rounding != Rounding::half_up && m.transform_rounding != Rounding::floor)
+        return false;
+    return shares_cover(settings, matrix) || result_lines_cover(settings, matrix);
 }
 
 bool lanes_cover(const ShadowTest& s) {
@@ -174,7 +187,7 @@ void start_row_noise(const RowLine& line, std::uint32_t* words) {
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask,
-                                    const RowForm& form) {
+                                    const RowForm& form, hw::Band band) {
     const hw::MachineSpec& m = settings.machine;
     check(maps, m, mask);
     fixed::require(rows_cover(settings, matrix),
@@ -184,17 +197,38 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
     RowLine line = line_of(settings, light);
     const auto run = lanes_cover(settings) ? form.run : plain_row;
     if (line.uniforms > 0) line.noise = fixed::NoiseRegister(settings.dither.seed);
-    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(
-        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms));
-    line.whole = run != plain_row && fits_whole(settings, matrix);
-    column_shares(settings, matrix, line.whole, memory);
-    std::array<LineSum, 3> sums{first_line(settings, matrix, 0), first_line(settings, matrix, 1),
-                                first_line(settings, matrix, 2)};
+    const std::uint64_t bits_of_line =
+        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms);
+    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(bits_of_line);
+    band = band.within(line.width);
+    if (line.uniforms > 0)
+        line.noise.jump(static_cast<std::uint64_t>(band.first) * bits_of_line);
+    const bool shares = shares_cover(settings, matrix);
+    std::array<LineSum, 3> sums{};
+    ResultLine results;
+    if (shares) {
+        line.whole = run != plain_row && fits_whole(settings, matrix);
+        column_shares(settings, matrix, line.whole, memory);
+        for (std::size_t r = 0; r < 3; ++r) {
+            sums[r] = first_line(settings, matrix, r);
+            sums[r].value += sums[r].step * band.first;
+        }
+    } else {
+        first_result_line(settings, matrix, results, memory);
+        next_result_line(results, band.first);
+    }
+    const ResultForm& transform = result_form_for(form.name);
     PostProcessCounts counts;
-    for (line.y = 0; line.y < line.width; ++line.y) {
+    for (line.y = band.first; line.y < band.end; ++line.y) {
         line.depth = maps.observer.depth.data() + maps.observer.address(0, line.y);
         line.mask = mask.data() + maps.observer.address(0, line.y);
-        for (std::size_t r = 0; r < 3; ++r) set_share(sums[r], line.whole, line.share[r]);
+        if (shares) {
+            for (std::size_t r = 0; r < 3; ++r) set_share(sums[r], line.whole, line.share[r]);
+        } else {  // the columns' shares are the results; the line has none
+            for (RowShare& share : line.share) share = {0, 0, 0, min_shift};
+            transform.run(results, line.depth, memory);
+            next_result_line(results);
+        }
         const RowCounts c = run(line, memory);
         if (line.uniforms > 0) line.noise.jump_by(line_of_noise);
         counts.visible += c.visible;
@@ -205,8 +239,9 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
 
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
-                                    RowMemory& memory, std::span<std::uint8_t> mask) {
-    return post_process_rows(maps, matrix, settings, memory, mask, fastest_row_form());
+                                    RowMemory& memory, std::span<std::uint8_t> mask,
+                                    hw::Band band) {
+    return post_process_rows(maps, matrix, settings, memory, mask, fastest_row_form(), band);
 }
 
 }  // namespace umbra78::shadow

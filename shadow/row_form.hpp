@@ -64,7 +64,7 @@ const RowForm& fastest_row_form();
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& test,
                                     RowMemory& memory, std::span<std::uint8_t> mask,
-                                    const RowForm& form);
+                                    const RowForm& form, hw::Band band = {});
 
 // Whether the lanes cover what the plain form covers: not a fall back to the nearest texel, and no
 // dither word of more than 16 bits. The plain form does the rest.

@@ -56,13 +56,14 @@ constexpr auto nothing_to_write = [](int) {};
 
 template <class Depth>
 SectorCounts classified_pass(const SectorMaps<Depth>& maps, const ShadowTest& test,
-                             const PostProcessWork& work, std::span<std::uint8_t> mask) {
+                             const PostProcessWork& work, std::span<std::uint8_t> mask,
+                             hw::Band band) {
     check_pass(test.machine, mask);
     check_observer(maps.observer, test.machine);
     const auto sector = [&](int k) { return Sector<Depth>(maps, k, test); };
     const std::array sectors{sector(0), sector(1), sector(2), sector(3), sector(4), sector(5)};
     SectorCounts counts{};
-    walk_pixels(maps.observer, test, work, sectors[0].noisy_taps(), nothing_to_write,
+    walk_pixels(maps.observer, test, work, sectors[0].noisy_taps(), band, nothing_to_write,
                 [&](const WalkedPixel& at) {
                     if (!at.visible && !work.background) return;
                     const hw::Words words = pixel_words(at.x, at.y, at.code, test);
@@ -79,12 +80,13 @@ SectorCounts classified_pass(const SectorMaps<Depth>& maps, const ShadowTest& te
 
 template <class Depth>
 PostProcessCounts sector_pass(const SectorMaps<Depth>& maps, int sector, const ShadowTest& test,
-                              const PostProcessWork& work, std::span<std::uint8_t> mask) {
+                              const PostProcessWork& work, std::span<std::uint8_t> mask,
+                              hw::Band band) {
     check_pass(test.machine, mask);
     check_observer(maps.observer, test.machine);
     const Sector<Depth> only(maps, sector, test);
     PostProcessCounts counts;
-    walk_pixels(maps.observer, test, work, only.noisy_taps(), nothing_to_write,
+    walk_pixels(maps.observer, test, work, only.noisy_taps(), band, nothing_to_write,
                 [&](const WalkedPixel& at) {
                     if (!at.visible && !work.background) return;
                     ++counts.visible;
@@ -98,9 +100,11 @@ PostProcessCounts sector_pass(const SectorMaps<Depth>& maps, int sector, const S
 
 #define UMBRA78_SECTORS(Depth)                                                                   \
     template SectorCounts classified_pass(const SectorMaps<Depth>&, const ShadowTest&,           \
-                                          const PostProcessWork&, std::span<std::uint8_t>);      \
+                                          const PostProcessWork&, std::span<std::uint8_t>,       \
+                                          hw::Band);                                             \
     template PostProcessCounts sector_pass(const SectorMaps<Depth>&, int, const ShadowTest&,     \
-                                           const PostProcessWork&, std::span<std::uint8_t>);
+                                           const PostProcessWork&, std::span<std::uint8_t>,      \
+                                           hw::Band);
 UMBRA78_SECTORS(hw::Depth16)
 UMBRA78_SECTORS(hw::Depth32)
 #undef UMBRA78_SECTORS

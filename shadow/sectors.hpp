@@ -8,7 +8,8 @@
 //
 // The paper gives both ways. Both write the same mask, because a pixel lies in the cone that it is
 // sorted into and in no other; tests hold them equal.
-// Both write the pixels of the tested sectors alone: the mask is all lit before.
+// Both write the pixels of the tested sectors alone, and of a band's lines: the mask is all lit
+// before.
 #pragma once
 
 #include "hw/sectors.hpp"
@@ -31,13 +32,20 @@ struct SectorMaps {
     std::array<hw::MatrixWords, hw::sector_count> matrix;
     std::array<ReceiverWords, hw::sector_count> receiver;
 };
-using SectorCounts = std::array<PostProcessCounts, hw::sector_count>;
+struct SectorCounts : std::array<PostProcessCounts, hw::sector_count> {
+    SectorCounts& operator+=(const SectorCounts& more) {
+        for (std::size_t k = 0; k < size(); ++k) (*this)[k] += more[k];
+        return *this;
+    }
+};
 
 template <class Depth>
 SectorCounts classified_pass(const SectorMaps<Depth>& maps, const ShadowTest& test,
-                             const PostProcessWork& work, std::span<std::uint8_t> mask);
+                             const PostProcessWork& work, std::span<std::uint8_t> mask,
+                             hw::Band band = {});
 template <class Depth>
 PostProcessCounts sector_pass(const SectorMaps<Depth>& maps, int sector, const ShadowTest& test,
-                              const PostProcessWork& work, std::span<std::uint8_t> mask);
+                              const PostProcessWork& work, std::span<std::uint8_t> mask,
+                              hw::Band band = {});
 
 }  // namespace umbra78::shadow

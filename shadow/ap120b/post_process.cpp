@@ -95,7 +95,7 @@ bool array_in_shadow(const LightMap<Depth>& map, Vector p, bool affine,
 template <class Depth>
 PostProcessCounts array_post_process(const DepthMaps<Depth>& maps, const Matrix& matrix,
                                      bool affine, const ShadowTest& test,
-                                     std::span<std::uint8_t> mask) {
+                                     std::span<std::uint8_t> mask, hw::Band band) {
     const hw::MachineSpec& spec = test.machine;
     check(maps, spec, mask);
     fixed::require(!has_window(test.lookup), "AP-120B: it looks up one texel or four, no window");
@@ -106,7 +106,8 @@ PostProcessCounts array_post_process(const DepthMaps<Depth>& maps, const Matrix&
     const LightMap<Depth> map = light_map(maps.light, test);
     const bool dithered = !hw::silent(test.dither, spec);
     PostProcessCounts counts;
-    for (int y = 0; y < spec.size_px(); ++y) {
+    band = band.within(spec.size_px());
+    for (int y = band.first; y < band.end; ++y) {
         hw::NoiseSource noise(drawn_dither(test), spec, 0, y);
         const std::uint64_t before = counts.visible;
         for (int x = 0; x < spec.size_px(); ++x) {
@@ -129,7 +130,8 @@ PostProcessCounts array_post_process(const DepthMaps<Depth>& maps, const Matrix&
 #define UMBRA78_ARRAY(Depth)                                                                      \
     template bool array_in_shadow(const LightMap<Depth>&, Vector, bool, const hw::DitherWords&);  \
     template PostProcessCounts array_post_process(const DepthMaps<Depth>&, const Matrix&, bool,   \
-                                                  const ShadowTest&, std::span<std::uint8_t>);
+                                                  const ShadowTest&, std::span<std::uint8_t>,   \
+                                                  hw::Band);
 UMBRA78_ARRAY(hw::Depth16)
 UMBRA78_ARRAY(hw::Depth32)
 #undef UMBRA78_ARRAY

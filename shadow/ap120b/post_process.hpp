@@ -40,10 +40,12 @@ template <class Depth>
 bool array_in_shadow(const LightMap<Depth>& map, hw::ap120b::Vector p, bool affine,
                      const hw::DitherWords& d);
 
+// `band`: of the frame's lines these alone are tested and written.
 template <class Depth>
 PostProcessCounts array_post_process(const DepthMaps<Depth>& maps,
                                      const hw::ap120b::Matrix& matrix, bool affine,
-                                     const ShadowTest& test, std::span<std::uint8_t> mask);
+                                     const ShadowTest& test, std::span<std::uint8_t> mask,
+                                     hw::Band band = {});
 
 // The processor's memory while it works on a scan line of n pixels: word addresses.
 struct ArrayMemoryMap {

@@ -62,7 +62,7 @@ UMBRA78_API const char* umbra78_version(void);
 /* One sentence with the remedy. */
 UMBRA78_API const char* umbra78_explain(umbra78_status status);
 
-/* --- a scene ----------------------------------------------------------------------------------- */
+/* --- a scene -------------------------------------------------------------------------------- */
 
 typedef struct umbra78_scene umbra78_scene;
 
@@ -115,7 +115,7 @@ UMBRA78_API umbra78_status umbra78_add_light(umbra78_scene* scene, const umbra78
  * settings of one of its figures 1 .. 6. For a new scene. */
 UMBRA78_API umbra78_status umbra78_take_figure(umbra78_scene* scene, int figure);
 
-/* --- settings ---------------------------------------------------------------------------------- */
+/* --- settings ------------------------------------------------------------------------------- */
 
 /* "bias", "1.5"; "lookup", "bilinear"; "profile", "perspective24". */
 UMBRA78_API umbra78_status umbra78_set(umbra78_scene* scene, const char* key, const char* value);
@@ -135,7 +135,7 @@ UMBRA78_API umbra78_status umbra78_setting_at(size_t number, umbra78_setting* se
 /* The name of a choice; null if there is none of that number. */
 UMBRA78_API const char* umbra78_choice_at(size_t setting, size_t choice);
 
-/* --- a frame ----------------------------------------------------------------------------------- */
+/* --- a frame -------------------------------------------------------------------------------- */
 
 typedef struct umbra78_frame umbra78_frame;
 

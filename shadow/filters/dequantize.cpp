@@ -73,11 +73,18 @@ public:
         : mask_(mask), depth_(observer.depth), background_(background),
           size_(observer.size_px()), passes_(passes), memory_(memory), lines_(lines) {}
 
+    // Before the chains are followed.
+    void clear(const hw::Band& band) {
+        const auto line_bits = static_cast<std::size_t>(size_);
+        for (int y = band.first; y < band.end; ++y) {
+            if (!lines_.has(y)) continue;
+            std::fill_n(memory_.coverage.data() + y * (size_ + 2), size_ + 2, std::int16_t{0});
+            // A line of 16 pixels has half a word: the next line's bits are cleared, too.
+            std::fill_n(memory_.visited.data() + at(0, y) / 32, (line_bits + 31) / 32, 0u);
+        }
+    }
+
     std::uint64_t trace_all() {
-        std::fill(memory_.visited.begin(), memory_.visited.end(), 0u);
-        for (int y = 0; y < size_; ++y)
-            if (lines_.has(y))
-                std::fill_n(memory_.coverage.data() + y * (size_ + 2), size_ + 2, std::int16_t{0});
         std::uint64_t steps = 0;
         for (int y = 0; y < size_; ++y)
             for (int x = 0; lines_.has(y) && x < size_; x += 8)
@@ -228,7 +235,8 @@ void fill_line(const std::int16_t* coverage, const Depth* depth, Depth backgroun
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
-                         EdgeMemory memory, std::span<std::uint8_t> out, const LineSet& lines) {
+                         EdgeMemory memory, std::span<std::uint8_t> out, const LineSet& lines,
+                         const Executor& executor) {
     check_filter(mask, observer, out, lines);
     fixed::require(passes >= 0 && passes <= max_dequantize_passes, "dequantize: 0 to 6 passes");
     const std::size_t visited = edge_visited_words(observer.xy_bits);
@@ -236,23 +244,28 @@ std::uint64_t dequantize(std::span<const std::uint8_t> mask,
     fixed::require(memory.visited.size() >= visited && memory.coverage.size() >= coverage,
                    "dequantize: its memory is too small for the frame");
     memory = {memory.visited.first(visited), memory.coverage.first(coverage)};
-    const std::uint64_t steps =
-        Tracer<Depth>(mask, observer, background, passes, memory, lines).trace_all();
+    Tracer<Depth> tracer(mask, observer, background, passes, memory, lines);
     const int size = observer.size_px();
-    for (int y = 0; y < size; ++y) {
-        if (!lines.has(y)) continue;
-        const std::size_t a = observer.address(0, y);
-        fill_line(memory.coverage.data() + y * (size + 2), observer.depth.data() + a, background,
-                  size, out.data() + a);
-    }
+    for_bands(executor, size, [&](hw::Band band, std::size_t) { tracer.clear(band); });
+    const std::uint64_t steps = tracer.trace_all();
+    for_bands(executor, size, [&](hw::Band band, std::size_t) {
+        for (int y = band.first; y < band.end; ++y) {
+            if (!lines.has(y)) continue;
+            const std::size_t a = observer.address(0, y);
+            fill_line(memory.coverage.data() + y * (size + 2), observer.depth.data() + a,
+                      background, size, out.data() + a);
+        }
+    });
     return steps;
 }
 
 template std::uint64_t dequantize(std::span<const std::uint8_t>,
                                   const hw::ReadOnlyStore<hw::Depth16>&, hw::Depth16, int,
-                                  EdgeMemory, std::span<std::uint8_t>, const LineSet&);
+                                  EdgeMemory, std::span<std::uint8_t>, const LineSet&,
+                                  const Executor&);
 template std::uint64_t dequantize(std::span<const std::uint8_t>,
                                   const hw::ReadOnlyStore<hw::Depth32>&, hw::Depth32, int,
-                                  EdgeMemory, std::span<std::uint8_t>, const LineSet&);
+                                  EdgeMemory, std::span<std::uint8_t>, const LineSet&,
+                                  const Executor&);
 
 }  // namespace umbra78::shadow

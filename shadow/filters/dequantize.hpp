@@ -15,6 +15,7 @@
 #pragma once
 
 #include "hw/frame_store.hpp"
+#include "shadow/executor.hpp"
 #include "shadow/lines.hpp"
 
 #include <cstddef>
@@ -44,10 +45,12 @@ constexpr std::size_t edge_coverage_words(int xy_bits) {
 // `lines` has at least those with a shadow; the others are left as they are in `out`. A chain that
 // passes a line runs along a shadow pixel of it, and smoothing moves no node beyond the first and
 // the last line of its chain: so a line that is all lit comes out all lit.
+// The executor's workers share what is done line by line; the chains are followed by one.
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,
-                         EdgeMemory memory, std::span<std::uint8_t> out, const LineSet& lines);
+                         EdgeMemory memory, std::span<std::uint8_t> out, const LineSet& lines,
+                         const Executor& executor = {});
 template <class Depth>
 std::uint64_t dequantize(std::span<const std::uint8_t> mask,
                          const hw::ReadOnlyStore<Depth>& observer, Depth background, int passes,

@@ -35,8 +35,13 @@ FrameBuffers<Depth> lay_out(Carver& carver, const hw::MachineSpec& spec, std::si
                      carver.take<std::int16_t>(edge_coverage_words(spec.xy_bits))};
     f.order = carver.take<std::uint32_t>(patches);
     f.nearest = carver.take<std::int64_t>(patches);
-    f.draw = carver.take<raster::DrawMemory>(1).data();
-    f.rows = carver.take<RowMemory>(hw::built(hw::Feature::rows) ? 1 : 0).data();
+    const std::size_t workers = shape.workers, stores = shape.worker_stores ? workers - 1 : 0;
+    f.workers = workers;
+    f.draw = carver.take<raster::DrawMemory>(workers).data();
+    f.rows = carver.take<RowMemory>(hw::built(hw::Feature::rows) ? workers : 0).data();
+    f.worker_depth = carver.take<Depth>(stores * pixels);
+    f.worker_levels = planes(stores * shape.channels * (1 + shape.sources));
+    f.worker_normals = carver.take<hw::NormalWord>(shape.normals ? stores * 3 * pixels : 0);
     return f;
 }
 
@@ -56,6 +61,7 @@ FrameShape::FrameShape(const Scene& scene, int layers)
 FrameShape::FrameShape(const Scene& scene, const Settings& settings)
     : FrameShape(scene, shadow::map_layers(settings)) {
     normals = reads_normals(settings);
+    worker_stores = !scene.mesh.facets.empty() || settings.surface == raster::PatchForm::diced;
 }
 
 template <class Depth>
@@ -70,14 +76,18 @@ template <class Depth>
 FrameBuffers<Depth> carve(std::span<std::byte> memory, const hw::MachineSpec& spec,
                           std::size_t patches, const FrameShape& shape) {
     fixed::require(hw::check(spec) == hw::SpecStatus::ok, "frame carved for widths out of range");
+    fixed::require(shape.workers >= 1 && shape.workers <= max_workers,
+                   "frame carved for no worker, or for too many");
     fixed::require(reinterpret_cast<std::uintptr_t>(memory.data()) % frame_alignment == 0,
                    "frame memory not aligned to 64 bytes");
     fixed::require(frame_bytes<Depth>(spec, patches, shape) <= memory.size(),
                    "frame memory smaller than frame_bytes");
     Carver carver(memory.data());
     FrameBuffers<Depth> f = lay_out<Depth>(carver, spec, patches, shape);
-    new (f.draw) raster::DrawMemory;
-    if (hw::built(hw::Feature::rows)) new (f.rows) RowMemory;
+    for (std::size_t w = 0; w < shape.workers; ++w) {
+        new (f.draw + w) raster::DrawMemory;
+        if (hw::built(hw::Feature::rows)) new (f.rows + w) RowMemory;
+    }
     return f;
 }
 

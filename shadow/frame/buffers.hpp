@@ -9,6 +9,7 @@
 #include "hw/operations.hpp"
 #include "raster/draw.hpp"
 #include "shadow/carver.hpp"
+#include "shadow/executor.hpp"
 #include "shadow/filters/dequantize.hpp"
 #include "shadow/frame/inputs.hpp"
 #include "shadow/post_process.hpp"
@@ -41,8 +42,16 @@ struct FrameBuffers {
     EdgeMemory edge_memory;
     std::span<std::uint32_t> order;      // a word a patch
     std::span<std::int64_t> nearest;     // a word a patch
-    raster::DrawMemory* draw = nullptr;
-    RowMemory* rows = nullptr;
+    raster::DrawMemory* draw = nullptr;  // one a worker
+    RowMemory* rows = nullptr;           // one a worker
+    // Stores of the workers but the first, for facets: Z, the bytes of intensities and direct
+    // shares, normals. Empty unless the shape has them.
+    std::span<Depth> worker_depth;
+    std::span<std::uint8_t> worker_levels;
+    std::span<hw::NormalWord> worker_normals;
+    // The caller's threads, which he hands in after carving for as many workers or more.
+    Executor executor{};
+    std::size_t workers = 1;  // carved for
     std::span<std::byte> method_memory;  // the caller's, for a method whose row says may_run_out
 
     std::size_t pixels() const { return observer.depth.size(); }
@@ -56,6 +65,19 @@ struct FrameBuffers {
     }
     std::span<std::uint8_t> picture_of(std::size_t channel) const {
         return picture.subspan(channel * pixels(), pixels());
+    }
+
+    // The store of a worker but the first, with the planes that `like` has.
+    hw::FrameStore<Depth> store_of(std::size_t worker, const hw::FrameStore<Depth>& like) const {
+        const auto planes = [&](auto all, std::size_t of_each, std::size_t used) {
+            return all.subspan((worker - 1) * of_each, used);
+        };
+        const std::size_t levels = observer.intensity.size() + observer.direct.size();
+        const std::size_t grey = like.intensity.size();
+        return {like.xy_bits, planes(worker_depth, pixels(), pixels()),
+                planes(worker_levels, levels, grey),
+                planes(worker_levels, levels, grey + like.direct.size()).subspan(grey),
+                planes(worker_normals, observer.normal.size(), like.normal.size())};
     }
 
     // What a pass over the frame reads for light l.
@@ -72,6 +94,8 @@ struct FrameShape {
     bool normals = false;  // kept of the observer's view: reads_normals(settings)
     int map_layers = 1;  // Z codes a texel while a map is drawn: shadow::map_layers(settings);
                          // 0: no map
+    std::size_t workers = 1;     // 1 to max_workers: the most that FrameBuffers::executor may have
+    bool worker_stores = false;  // one for each worker but the first: where there are facets
 
     FrameShape() = default;
     explicit FrameShape(int layers) : map_layers(layers) {}

@@ -52,8 +52,14 @@ public:
 
     // Whether all of the mesh is seen: its vertices are fewer than its facets' corners.
     bool sees_all(const raster::Mesh& mesh) {
-        for (std::uint32_t k = 0; k < mesh.vertices.size(); ++k)
-            if (!walk_.in_cube(k)) return false;
+        std::array<raster::SeenVertex, raster::FacetWalk::run> seen;
+        for (std::size_t k = 0; k < mesh.vertices.size(); k += seen.size()) {
+            walk_.see_run(static_cast<std::uint32_t>(k), seen.data());
+            std::uint32_t any = 0;
+            for (std::size_t n = 0; n < std::min(seen.size(), mesh.vertices.size() - k); ++n)
+                any |= seen[n].outside;
+            if (any != 0) return false;
+        }
         return true;
     }
 

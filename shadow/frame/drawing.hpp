@@ -5,8 +5,10 @@
 #include "shadow/frame/features.hpp"
 #include "shadow/frame/methods.hpp"
 #include "shadow/frame/plan.hpp"
+#include "shadow/frame/shared_drawing.hpp"
 #include "shadow/midpoint.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -50,6 +52,8 @@ void require_fits(const FrameInputs& in, const FrameBuffers<Depth>& frame) {
         fits = fits && first.joined.size() == pixels && first.edges.size() == pixels &&
                first.filtered.size() == pixels;
     }
+    fixed::require(frame.executor.workers <= frame.workers,
+                   "frame carved for fewer workers than the executor has");
     fixed::require(missing_feature(in.scene, in.settings).empty(),
                    "this build leaves out a stage that is asked for");
     fixed::require(fits, "frame carved for other widths than the settings have");
@@ -168,6 +172,9 @@ raster::DrawCounts draw_surfaces(const raster::Surfaces& surfaces, const raster:
     const std::span order =
         patches <= frame.order.size() ? frame.order.first(patches) : std::span<std::uint32_t>();
     if (!order.empty()) raster::order_front_to_back(surfaces.patches, view, order, frame.nearest);
+    if constexpr (BandSink<Sink>) {
+        if (frame.executor.shares()) return draw_shared(surfaces, order, setup, frame, sink);
+    }
     return raster::draw(surfaces, order, setup, *frame.draw, sink);
 }
 
@@ -200,15 +207,35 @@ raster::DrawCounts draw_map_view(const FrameInputs& in, const FramePlan& plan, s
     return into(sink);
 }
 
+// FrameStore::clear().
+template <class Depth>
+void clear_store(const FrameInputs& in, const hw::FrameStore<Depth>& store,
+                 const Executor& executor) {
+    const std::size_t pixels = store.depth.size();
+    for_bands(executor, store.size_px(), [&](hw::Band band, std::size_t) {
+        const std::size_t first = store.address(0, band.first);
+        const std::size_t count = store.address(0, band.end) - first;
+        const auto fill = [&](auto planes, auto value) {
+            for (std::size_t p = 0; p < planes.size(); p += pixels)
+                std::fill_n(planes.data() + p + first, count, value);
+        };
+        fill(store.depth, static_cast<Depth>(in.settings.machine.background()));
+        fill(store.intensity, std::uint8_t{0});
+        fill(store.direct, std::uint8_t{0});
+        fill(store.normal, hw::no_normal);
+    });
+}
+
 // Before the first of a map's surfaces, and after the last.
 template <class Depth>
-void clear_map(const FrameInputs& in, LightBuffers<Depth>& light) {
-    light.map.clear(in.settings.machine);
-    if (map_layers(in.settings) > 1) light.second.clear(in.settings.machine);
+void clear_map(const FrameInputs& in, LightBuffers<Depth>& light, const Executor& executor) {
+    clear_store(in, light.map, executor);
+    if (map_layers(in.settings) > 1) clear_store(in, light.second, executor);
 }
 template <class Depth>
 void finish_map(const FrameInputs& in, LightBuffers<Depth>& light) {
-    if (map_layers(in.settings) > 1) take_midpoints<Depth>(light.second.depth, light.map.depth);
+    if (map_layers(in.settings) > 1) 
+        take_midpoints<Depth>(in.settings.machine, light.second.depth, light.map.depth);
 }
 
 // What the plain post-process does under a plan.

@@ -1,9 +1,9 @@
 #include "shadow/frame/frame.hpp"
 
 #include "raster/sinks.hpp"
-#include "shadow/filters/composite.hpp"
 #include "shadow/filters/low_pass.hpp"
 #include "shadow/filters/ramp.hpp"
+#include "shadow/frame/composite_stage.hpp"
 #include "shadow/frame/drawing.hpp"
 #include "shadow/lines.hpp"
 
@@ -36,10 +36,6 @@ void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store
                               ? hw::no_normal : hw::NormalWord{0xffff};
 }
 
-void copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
-    std::copy(from.begin(), from.end(), to.begin());
-}
-
 void light_up(std::span<std::uint8_t> mask) { std::fill(mask.begin(), mask.end(), mask_lit); }
 
 void require_held(const FrameInputs& in) {
@@ -56,7 +52,7 @@ void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     }
     hw::FrameStore<Depth>& map = frame.lights[l].map;
     counts.lights[l].map = {};
-    clear_map(in, frame.lights[l]);
+    clear_map(in, frame.lights[l], frame.executor);
     if (plan.leaves_out(Omission::light_map, l)) return;
     const auto into = [&](auto sink) {
         counts.lights[l].map = draw_map_view(in, plan, l, frame, sink);
@@ -73,13 +69,13 @@ void draw_map(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     into(raster::PictureSink<Depth>{shaded});
 }
 
-// The lines of a plane that are in the set, from one plane to the other.
-void copy_lines(std::span<const std::uint8_t> from, const LineSet& lines,
-                std::span<std::uint8_t> to) {
-    const auto n = static_cast<std::size_t>(lines.size());
-    for (int y = 0; y < lines.size(); ++y)
-        if (const std::size_t a = static_cast<std::size_t>(y) * n; lines.has(y))
-            copy(from.subspan(a, n), to.subspan(a, n));
+// A pass of the low-pass over `plane` on these lines. `room` is free.
+template <class Depth>
+void pass_low(std::span<std::uint8_t> plane, const FrameBuffers<Depth>& frame, Depth none,
+              std::span<std::uint8_t> room, const LineSet& lines) {
+    for_bands(frame.executor, lines.size(), [&](hw::Band band, std::size_t) {
+        low_pass<Depth>(plane, frame.observer, none, room, lines.within(band));
+    });
 }
 
 // Fills a source's edges and filtered. Returns the lines that the composite
@@ -98,7 +94,8 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, const Source& sourc
     counted.chain_steps = 0;
     LineSet lines = plan.leaves_out(Omission::lit_lines, l) ? lines_with_shadow(light.joined, size)
                                                             : LineSet::all(size);
-    copy(light.joined, light.edges);
+    const Executor& executor = frame.executor;
+    copy_lines(light.joined, LineSet::all(size), light.edges, executor);
     if constexpr (!hw::built(hw::Feature::filters)) {
         copy(light.edges, light.filtered);
         return lines;
@@ -108,46 +105,20 @@ LineSet filter(const FrameInputs& in, const FramePlan& plan, const Source& sourc
         counted.filtered_lines.dequantize = lines.count();
         counted.chain_steps =
             dequantize<Depth>(light.joined, frame.observer, none, settings.dequantize_passes,
-                              frame.edge_memory, light.edges, lines);
+                              frame.edge_memory, light.edges, lines, executor);
     }
-    copy(light.edges, light.filtered);
+    copy_lines(light.edges, LineSet::all(size), light.filtered, executor);
     if (plan.leaves_out(Omission::low_pass, l)) return lines;
     for (int pass = 0; pass < settings.low_pass_passes; ++pass) {
         lines = lines.with_neighbours();
         counted.filtered_lines.low_pass += lines.count();
         // The picture's first plane is free until the composite.
-        low_pass<Depth>(light.filtered, frame.observer, none, frame.picture_of(0), lines);
-        copy_lines(frame.picture_of(0), lines, light.filtered);
+        pass_low(light.filtered, frame, none, frame.picture_of(0), lines);
+        copy_lines(frame.picture_of(0), lines, light.filtered, executor);
     }
     if (settings.low_pass_passes == 0)  // not left out: a pass whose result nobody reads
-        low_pass<Depth>(light.filtered, frame.observer, none, scratch(frame));
+        pass_low(light.filtered, frame, none, scratch(frame), LineSet::all(size));
     return lines;
-}
-
-// Darkens a channel of `picture` by a source's shadow on the lines in the set, into the channel's
-// plane of the frame's picture; the other lines are those of `picture`.
-template <class Depth>
-void darken(const FrameInputs& in, std::size_t channel, std::size_t source,
-            std::span<const std::uint8_t> picture, const LineSet& lines,
-            FrameBuffers<Depth>& frame) {
-    const bool whole = in.settings.composite == Composite::whole;
-    const std::span<const std::uint8_t> share = whole ? picture : frame.direct(channel, source);
-    const std::span<const std::uint8_t> darkness =
-        frame.lights[in.scene.source(source).first_light].filtered;
-    const std::span<std::uint8_t> out = frame.picture_of(channel);
-    // A shadow that is in the shading already darkens nothing more.
-    const int density = method_of(in).in_shading ? 0 : in.settings.density_q8;
-    const auto n = static_cast<std::size_t>(lines.size());
-    for (int y = 0; y < lines.size(); ++y) {
-        const auto line = [&](auto plane) {
-            return plane.subspan(static_cast<std::size_t>(y) * n, n);
-        };
-        if (lines.has(y)) {
-            composite(line(picture), line(share), line(darkness), density, line(out));
-        } else if (picture.data() != out.data()) {
-            copy(line(picture), line(out));
-        }
-    }
 }
 
 // A source's darkness from the masks of its lights: their mean, rounded half up; or a ramp around
@@ -167,11 +138,14 @@ void join(const FrameInputs& in, const Source& source, FrameBuffers<Depth>& fram
     const std::span lights = std::span(frame.lights).subspan(source.first_light, source.lights);
     const std::span<std::uint8_t> joined = lights.front().joined;
     const auto n = static_cast<std::uint32_t>(source.lights);
-    for (std::size_t a = 0; a < joined.size(); ++a) {
-        std::uint32_t sum = 0;
-        for (const LightBuffers<Depth>& light : lights) sum += light.mask[a];
-        joined[a] = static_cast<std::uint8_t>((2 * sum + n) / (2 * n));
-    }
+    const hw::FrameStore<Depth>& store = frame.observer;
+    for_bands(frame.executor, store.size_px(), [&](hw::Band band, std::size_t) {
+        for (std::size_t a = store.address(0, band.first); a < store.address(0, band.end); ++a) {
+            std::uint32_t sum = 0;
+            for (const LightBuffers<Depth>& light : lights) sum += light.mask[a];
+            joined[a] = static_cast<std::uint8_t>((2 * sum + n) / (2 * n));
+        }
+    });
 }
 
 template <class Depth>
@@ -218,7 +192,7 @@ void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
     if (!tested && plan.leaves_out(Omission::same_depth)) {
         clear_intensities(in.settings.machine, store);
     } else {
-        store.clear(in.settings.machine);
+        clear_store(in, store, frame.executor);
     }
     if (tested) {
         method.stages<Depth>().draw(in, plan, frame, counts);
@@ -277,20 +251,16 @@ void filter_and_composite(const FrameInputs& in, const FramePlan& plan, FrameBuf
     // All filters before the first composite: the low-pass works in the picture's plane.
     std::array<LineSet, max_sources> lines;
     const std::size_t sources = in.scene.sources_used();
-    for (std::size_t s = 0; s < sources; ++s)
+    for (std::size_t s = 0; s < sources; ++s) {
+        const std::size_t l = in.scene.source(s).first_light;
         lines[s] = filter(in, plan, in.scene.source(s), frame, counts);
-    for (std::size_t channel = 0; channel < in.scene.channels; ++channel) {
-        std::span<const std::uint8_t> picture = frame.intensity(channel);
-        const std::span<std::uint8_t> out = frame.picture_of(channel);
-        for (std::size_t s = 0; s < sources; ++s) {
-            const std::size_t l = in.scene.source(s).first_light;
-            if (plan.leaves_out(Omission::composite, l)) continue;
+        if (!plan.leaves_out(Omission::composite, l))
             counts.lights[l].filtered_lines.composite = lines[s].count();
-            darken(in, channel, s, picture, lines[s], frame);
-            picture = out;
-        }
-        if (picture.data() != out.data()) copy(picture, out);
     }
+    for_bands(frame.executor, in.settings.machine.size_px(), [&](hw::Band band, std::size_t) {
+        for (std::size_t channel = 0; channel < in.scene.channels; ++channel)
+            composite_all(in, plan, channel, lines, band, frame);
+    });
 }
 
 template <class Depth>

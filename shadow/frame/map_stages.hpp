@@ -26,18 +26,19 @@ void cast_post_process(const FrameInputs& in, const FramePlan& plan, std::size_t
     if constexpr (hw::built(hw::Feature::lights)) {
         if (in.scene.source_of(l).sectored) return cast_sectors(in, plan, l, frame, counts);
     }
-    LightBuffers<Depth>& light = frame.lights[l];
+    const std::span<std::uint8_t> mask = frame.lights[l].mask;
     const hw::MatrixWords& matrix = in.matrices.lights[l].observer_to_light;
-    PostProcessCounts& counted = counts.lights[l].post_process;
-    if constexpr (hw::built(hw::Feature::rows) && sizeof(Depth) == sizeof(hw::Depth16)) {
-        if (work_of(plan) == needed_work(in.settings) && rows_cover(in.settings, matrix)) {
-            counted = post_process_rows(frame.maps(l), matrix, in.settings, *frame.rows,
-                                        light.mask);
-            return;
+    const auto test = [&](hw::Band band, std::size_t worker) {
+        if constexpr (hw::built(hw::Feature::rows) && sizeof(Depth) == sizeof(hw::Depth16)) {
+            if (work_of(plan) == needed_work(in.settings) && rows_cover(in.settings, matrix))
+                return post_process_rows(frame.maps(l), matrix, in.settings, frame.rows[worker],
+                                         mask, band);
         }
-    }
-    counted = post_process(frame.maps(l), matrix, in.settings, work_of(plan), light.mask,
-                           receiver_words(in, l));
+        return post_process(frame.maps(l), matrix, in.settings, work_of(plan), mask,
+                            receiver_words(in, l), band);
+    };
+    counts.lights[l].post_process = count_bands<PostProcessCounts>(
+        frame.executor, in.settings.machine.size_px(), test);
 }
 
 // The schedule of the observer's visible pixels through the clocked stages.
@@ -122,9 +123,11 @@ template <class Depth>
 void cast_on_array(const FrameInputs& in, const FramePlan&, std::size_t l,
                    FrameBuffers<Depth>& frame, FrameCounts& counts) {
     const LightMatrices& m = in.matrices.lights[l];
-    counts.lights[l].post_process =
-        array_post_process(frame.maps(l), m.array, m.observer_to_light.affine, in.settings,
-                           frame.lights[l].mask);
+    counts.lights[l].post_process = count_bands<PostProcessCounts>(
+        frame.executor, in.settings.machine.size_px(), [&](hw::Band band, std::size_t) {
+            return array_post_process(frame.maps(l), m.array, m.observer_to_light.affine,
+                                      in.settings, frame.lights[l].mask, band);
+        });
 }
 
 template <class Depth>

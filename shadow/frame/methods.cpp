@@ -41,7 +41,8 @@ constexpr Method post_process_method{
     .form = Form::post_process,
     .arithmetic = Arithmetic::fixed,
     .lookups = answering_lookups,
-    .max_z_bits = 24,
+    .max_z_bits = 26,
+    .takes_floats = true,
     .depth_layers = 1,
     .surfaces = Surfaces::patches,
     .plane = ExtraPlane::normal,
@@ -83,7 +84,8 @@ constexpr Method correct_method{
     .form = Form::correct,
     .arithmetic = Arithmetic::fixed,
     .lookups = answering_lookups,
-    .max_z_bits = 24,
+    .max_z_bits = 26,
+    .takes_floats = true,
     .depth_layers = 1,
     .surfaces = Surfaces::patches,
     .plane = ExtraPlane::none,
@@ -114,6 +116,7 @@ constexpr Method array_method{
     .arithmetic = Arithmetic::ap120b,
     .lookups = array_lookups,
     .max_z_bits = 16,
+    .takes_floats = false,
     .depth_layers = 1,
     .surfaces = Surfaces::patches,
     .plane = ExtraPlane::none,
@@ -146,7 +149,8 @@ constexpr Method ground_method{
     .form = Form::ground,
     .arithmetic = Arithmetic::fixed,
     .lookups = all_lookups,  // there is none
-    .max_z_bits = 24,
+    .max_z_bits = 26,
+    .takes_floats = true,
     .depth_layers = 0,
     .surfaces = Surfaces::patches,
     .plane = ExtraPlane::none,
@@ -181,6 +185,8 @@ constexpr Method blob_method = as_blobs(ground_method);
 
 // A rival is a row of rival_rows; what it shares with a shadow on the ground is that it has no map.
 constexpr Method as_rival(Method method, const RivalRow& row) {
+    method.max_z_bits = 24;
+    method.takes_floats = false;
     method.name = row.name;
     method.meaning = row.meaning;
     method.cannot = "curved surfaces are polygons, and no light has sectors";
@@ -196,6 +202,8 @@ constexpr Method as_rival(Method method, const RivalRow& row) {
 }
 
 constexpr Method as_irregular_map(Method method) {
+    method.max_z_bits = 24;
+    method.takes_floats = false;
     method.name = "irregular_map";
     method.meaning = "the light is sampled at the visible points: only Z is quantized (after "
                      "Johnson, Mark & Burns 2004)";
@@ -252,6 +260,7 @@ const Method& method_of(const FrameInputs& in) {
 bool method_can(const Settings& settings) {
     const Method* method = method_of(settings);
     return method != nullptr && settings.machine.z_bits <= method->max_z_bits &&
+           (method->takes_floats || settings.machine.depth_store == hw::DepthStore::fixed) &&
            window_in_range(settings) &&
            method->takes(settings.receiver, settings.lookup);
 }

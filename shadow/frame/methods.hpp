@@ -54,6 +54,7 @@ struct Method {
     Arithmetic arithmetic;
     std::span<const Lookup> lookups;
     int max_z_bits;
+    bool takes_floats;            // a depth_store of floats
     int depth_layers;             // Z codes a texel of the light's map: 1 or 2; 0: it has none
     Surfaces surfaces;
     ExtraPlane plane;

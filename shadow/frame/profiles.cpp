@@ -8,6 +8,7 @@ namespace umbra78::shadow {
 namespace {
 
 using enum Confidence;
+using enum ProfileKind;
 
 // A setting's word from its enumerator.
 template <class Enum>
@@ -73,18 +74,59 @@ constexpr std::array ap120b_fast{
     ProfileValue{"array_memory", word(hw::ap120b::MemorySpeed::fast), published, fps},
 };
 
-constexpr std::array<Profile, 6> all_profiles{{
-    {"affine16", "16-bit coefficients, one row a clock: four multipliers", affine16},
-    {"affine16x1", "16-bit coefficients, one multiplier-accumulator", affine16x1},
-    {"affine16x16", "16-bit coefficients, sixteen multipliers", affine16x16},
-    {"perspective24", "24-bit coefficients in two passes, for perspective views", perspective24},
-    {"ap120b", "the shadow on an FPS AP-120B with standard memory", ap120b},
-    {"ap120b_fast", "the shadow on an FPS AP-120B with fast memory", ap120b_fast},
+// Today's maps are those of engines' first settings: 2048 texels a side.
+constexpr std::string_view side = "2048 texels a side, a usual size of an engine's map";
+constexpr std::string_view single =
+    "IEEE 754 binary32: 24 significant bits, in which today's matrices are computed";
+constexpr std::string_view unorm = "D16_UNORM of Direct3D, Vulkan, Metal and WebGPU";
+constexpr std::string_view unorm24 = "D24_UNORM of Direct3D and Vulkan, without its stencil";
+constexpr std::string_view binary32 = "D32_FLOAT of Direct3D, Vulkan, Metal and WebGPU";
+constexpr std::string_view spare = "the most there is: what a float has beyond 24 bits shows";
+constexpr std::array d16_unorm{
+    ProfileValue{"xy_bits", 11, assumed, side},
+    ProfileValue{"z_bits", 16, published, unorm},
+    ProfileValue{"coefficient_bits", 24, published, single},
+};
+constexpr std::array d24{
+    ProfileValue{"xy_bits", 11, assumed, side},
+    ProfileValue{"z_bits", 24, published, unorm24},
+    ProfileValue{"coefficient_bits", 24, published, single},
+};
+constexpr std::array d32f{
+    ProfileValue{"xy_bits", 11, assumed, side},
+    ProfileValue{"z_bits", 26, assumed, spare},
+    ProfileValue{"depth_store", word(hw::DepthStore::of_floats), published, binary32},
+    ProfileValue{"coefficient_bits", 24, published, single},
+};
+constexpr std::array d32f_reversed{
+    ProfileValue{"xy_bits", 11, assumed, side},
+    ProfileValue{"z_bits", 26, assumed, spare},
+    ProfileValue{"depth_store", word(hw::DepthStore::of_reversed_floats), published, binary32},
+    ProfileValue{"coefficient_bits", 24, published, single},
+};
+
+constexpr std::size_t of_1978 = 6;
+constexpr std::array<Profile, 10> all_profiles{{
+    {machine_of_1978, "affine16", "16-bit coefficients, one row a clock: four multipliers",
+     affine16},
+    {machine_of_1978, "affine16x1", "16-bit coefficients, one multiplier-accumulator", affine16x1},
+    {machine_of_1978, "affine16x16", "16-bit coefficients, sixteen multipliers", affine16x16},
+    {machine_of_1978, "perspective24", "24-bit coefficients in two passes, for perspective views",
+     perspective24},
+    {machine_of_1978, "ap120b", "the shadow on an FPS AP-120B with standard memory", ap120b},
+    {machine_of_1978, "ap120b_fast", "the shadow on an FPS AP-120B with fast memory", ap120b_fast},
+    {map_of_today, "d16_unorm", "today's map of 2048 x 2048 texels with 16-bit integers",
+     d16_unorm},
+    {map_of_today, "d24", "the same with 24-bit integers", d24},
+    {map_of_today, "d32f", "the same with 32-bit floats", d32f},
+    {map_of_today, "d32f_reversed", "the same with 32-bit floats of one minus the depth",
+     d32f_reversed},
 }};
 
 }  // namespace
 
 std::span<const Profile> profiles() { return all_profiles; }
+std::span<const Profile> profiles_of_1978() { return std::span(all_profiles).first(of_1978); }
 
 const Profile* find_profile(std::string_view name) {
     for (const Profile& p : all_profiles)
@@ -92,17 +134,18 @@ const Profile* find_profile(std::string_view name) {
     return nullptr;
 }
 
-bool is_set_by_profiles(std::string_view key) {
+bool is_set_by_profiles(std::string_view key, ProfileKind kind) {
     for (const Profile& p : all_profiles)
         for (const ProfileValue& v : p.values)
-            if (v.key == key) return true;
+            if (p.kind == kind && v.key == key) return true;
     return false;
 }
 
 void apply(const Profile& profile, Settings& settings) {
     const Settings defaults;
     for (const Setting& setting : settings_table())
-        if (is_set_by_profiles(setting.key)) setting.set(settings, setting.get(defaults));
+        if (is_set_by_profiles(setting.key, profile.kind))
+            setting.set(settings, setting.get(defaults));
     for (const ProfileValue& v : profile.values) {
         const Setting* setting = find_setting(v.key);
         fixed::require(setting != nullptr, "profile: no such setting");

@@ -35,6 +35,7 @@ bool same_drawing(const FrameInputs& a, const FrameInputs& b) {
            m.xy_bits == n.xy_bits && m.z_bits == n.z_bits &&
            m.coefficient_bits == n.coefficient_bits &&
            m.transform_rounding == n.transform_rounding && m.depth_rounding == n.depth_rounding &&
+           m.depth_store == n.depth_store &&
            a.settings.sampling == b.settings.sampling && same_facets(a, b) && f.bits == g.bits &&
            f.fraction == g.fraction &&
            std::equal(a.scene.patches.begin(), a.scene.patches.end(), b.scene.patches.begin(),

@@ -30,10 +30,16 @@ void cast_sectors(const FrameInputs& in, const FramePlan& plan, std::size_t l,
     const SectorMaps<Depth> maps = sector_maps(in, first, frame);
     const std::span<std::uint8_t> mask = frame.lights[first].mask;
     if (in.settings.sector_test == SectorTest::every) {
-        counts.lights[l].post_process = sector_pass(maps, static_cast<int>(l - first), in.settings,
-                                                    work_of(plan), mask);
+        counts.lights[l].post_process = count_bands<PostProcessCounts>(
+            frame.executor, in.settings.machine.size_px(), [&](hw::Band band, std::size_t) {
+                return sector_pass(maps, static_cast<int>(l - first), in.settings, work_of(plan),
+                                   mask, band);
+            });
     } else if (l == first) {
-        const SectorCounts counted = classified_pass(maps, in.settings, work_of(plan), mask);
+        const auto counted = count_bands<SectorCounts>(
+            frame.executor, in.settings.machine.size_px(), [&](hw::Band band, std::size_t) {
+                return classified_pass(maps, in.settings, work_of(plan), mask, band);
+            });
         for (std::size_t k = 0; k < counted.size(); ++k)
             counts.lights[first + k].post_process = counted[k];
     }

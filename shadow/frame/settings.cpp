@@ -12,6 +12,7 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 7> rounding_names{
     "floor", "ceiling", "to_zero", "half_up", "half_to_zero", "half_away", "half_even"};
 constexpr std::array<std::string_view, 2> divide_names{"exact", "round_first"};
+constexpr std::array<std::string_view, 3> depth_store_names{"fixed", "float", "float_reversed"};
 constexpr std::array<std::string_view, 2> divider_names{"serial", "pipelined"};
 constexpr std::array<std::string_view, 2> dram_rows_names{"lines", "words"};
 constexpr std::array<std::string_view, 3> video_names{"off", "observer", "all"};
@@ -65,7 +66,8 @@ constexpr std::array all_settings{
     whole<UMBRA78_ACCESS(machine.xy_bits)>(
         "xy_bits", "bits", 4, 12, "X and Y of both frame stores: 2^bits pixels a side"),
     whole<UMBRA78_ACCESS(machine.z_bits)>(
-        "z_bits", "bits", 4, 24, "Z of both frame stores; all ones is the background"),
+        "z_bits", "bits", 4, 26,
+        "Z of both frame stores, at most xy_bits + 20; all ones is the background"),
     whole<UMBRA78_ACCESS(machine.coefficient_bits)>(
         "coefficient_bits", "bits", 8, 32, "a matrix word, Q1.(bits - 2) with an exponent a row"),
     whole<UMBRA78_ACCESS(machine.fraction_bits)>(
@@ -83,6 +85,9 @@ constexpr std::array all_settings{
         "coefficient_rounding", rounding_names, "of a matrix word"),
     choice<UMBRA78_ACCESS(machine.depth_rounding)>(
         "depth_rounding", rounding_names, "of a drawn sample's Z to its code"),
+    choice<UMBRA78_ACCESS(machine.depth_store)>(
+        "depth_store", depth_store_names,
+        "the codes that both stores keep: all, or those that 32-bit floats hold, 0 or 1 near"),
     choice<UMBRA78_ACCESS(machine.divide_order)>(
         "divide_order", divide_names,
         "perspective: round at the quotient, or x and w before it (to show what that costs)"),

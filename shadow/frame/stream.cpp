@@ -20,7 +20,7 @@ template <class Depth>
 void clear(const FrameInputs& in, FrameBuffers<Depth>& frame) {
     frame.observer.clear(in.settings.machine);
     for (std::size_t l = 0; l < in.scene.light_count; ++l) {
-        clear_map(in, frame.lights[l]);
+        clear_map(in, frame.lights[l], frame.executor);
         std::ranges::fill(frame.lights[l].mask, mask_lit);
     }
 }

@@ -50,14 +50,13 @@ void widen(PictureBox& box, const RoughPlace& at, int fraction) {
 }
 
 // Where two lines meet.
-template <class Int>
 RoughPlace meeting_of(const LightLine& p, const LightLine& q,
                       const std::array<std::size_t, 3>& axis) {
     const auto minor = [&](std::size_t k) {
         const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        return Int(p.v[i]) * Int(q.v[j]) - Int(p.v[j]) * Int(q.v[i]);
+        return full_product(p.v[i], q.v[j]) - full_product(p.v[j], q.v[i]);
     };
-    Int x = minor(axis[0]), y = minor(axis[1]), w = minor(axis[2]);
+    auto x = minor(axis[0]), y = minor(axis[1]), w = minor(axis[2]);
     if (w.is_negative()) x = -x, y = -y, w = -w;
     const int shift = std::max(0, w.bit_length() - divisor_bits);
     return {(x >> shift).to_int64(), (y >> shift).to_int64(), (w >> shift).to_int64(),
@@ -128,11 +127,8 @@ PictureBox FacetPicture::of_piece(const LightLines& lines, std::span<const LineI
     PictureBox box = nothing;
     for (std::size_t i = 0; i < piece.size(); ++i) {
         const LineId p = piece[i], q = piece[i + 1 < piece.size() ? i + 1 : 0];
-        const RoughPlace at =
-            p.is_meeting() || q.is_meeting()
-                ? meeting_of<MeetingSum>(lines.line(p), lines.line(q), axes)
-                : meeting_of<Sum>(lines.line(p), lines.line(q), axes);
-        widen(box, at, is_direction_ ? word_fraction : quotient_fraction);
+        widen(box, meeting_of(lines.line(p), lines.line(q), axes),
+              is_direction_ ? word_fraction : quotient_fraction);
     }
     return box;
 }

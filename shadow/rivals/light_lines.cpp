@@ -12,34 +12,36 @@ LightLinePieces lay_out(Carver& carver, const Mesh& mesh, std::size_t meetings) 
     return {carver.take<LightLine>(mesh.edges.size()), carver.take<Meeting>(meetings)};
 }
 
-template <class Int>
-Int determinant(const std::array<Int, 3>& a, const std::array<Int, 3>& b,
-                const std::array<Int, 3>& c) {
-    const auto minor = [&](std::size_t i, std::size_t j) { return a[i] * b[j] - a[j] * b[i]; };
-    return c[0] * minor(1, 2) + c[1] * minor(2, 0) + c[2] * minor(0, 1);
+template <int Limbs>
+int sign_of(const fixed::WideInt<Limbs>& v) {
+    return v.is_negative() ? -1 : v.is_zero() ? 0 : 1;
 }
 
-template <class Int>
+// The determinant's sign, of numbers that have so many limbs: by products of two and of three,
+// which always fit.
+template <int Limbs>
 int determinant_sign(const LightLine& a, const LightLine& b, const LightLine& c) {
-    const auto words = [](const LightLine& l) {
-        return std::array{Int(l.v[0]), Int(l.v[1]), Int(l.v[2])};
+    using Number = fixed::WideInt<Limbs>;
+    const auto product = [&](std::size_t j, std::size_t k) {
+        return full_product(Number(a.v[j]), Number(b.v[k]));
     };
-    const Int det = determinant(words(a), words(b), words(c));
-    return det.is_negative() ? -1 : det.is_zero() ? 0 : 1;
+    const auto term = [&](std::size_t i, std::size_t j, std::size_t k) {
+        return full_product(Number(c.v[i]), product(j, k) - product(k, j));
+    };
+    return sign_of(term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1));
 }
 
 }  // namespace
 
 // --- the sign of three lines ----------------------------------------------------------------
 
-LeadingBits leading_of(const std::array<Sum, 3>& v) {
+LightLine::LightLine(const std::array<Sum, 3>& numbers) : v(numbers) {
     int longest = 0;
     for (const Sum& number : v) longest = std::max(longest, number.bit_length());
     const int s = std::max(0, longest - leading_bits);
-    LeadingBits leading;
     for (std::size_t k = 0; k < 3; ++k)
         leading[k] = static_cast<std::int32_t>((v[k] >> s).to_int64());
-    return leading;
+    limbs = (longest + 2 + 63) / 64;
 }
 
 // A number is its leading bits plus less than 1, in units of its line's 2^s. So of the six products
@@ -49,22 +51,24 @@ int sign_by_leading(const LightLine& a, const LightLine& b, const LightLine& c) 
     constexpr std::int64_t most = std::int64_t{1} << leading_bits;
     constexpr std::int64_t error = 6 * (3 * most * (most + 1) + 1);
     static_assert(most * most <= INT64_MAX / 6 / most);
-    const auto words = [](const LightLine& l) {
-        return std::array<std::int64_t, 3>{l.leading[0], l.leading[1], l.leading[2]};
+    const LeadingBits &u = a.leading, &v = b.leading, &w = c.leading;
+    const auto minor = [&](std::size_t i, std::size_t j) {
+        return std::int64_t{u[i]} * v[j] - std::int64_t{u[j]} * v[i];
     };
-    const std::int64_t det = determinant(words(a), words(b), words(c));
+    const std::int64_t det = w[0] * minor(1, 2) + w[1] * minor(2, 0) + w[2] * minor(0, 1);
     return det > error ? 1 : det < -error ? -1 : 0;
 }
 
 int sign_by_all_bits(const LightLine& a, const LightLine& b, const LightLine& c) {
-    return determinant_sign<MeetingSum>(a, b, c);
+    const int limbs = std::max({a.limbs, b.limbs, c.limbs});
+    if (limbs == 1) return determinant_sign<1>(a, b, c);
+    return limbs == 2 ? determinant_sign<2>(a, b, c) : determinant_sign<3>(a, b, c);
 }
 
 // --- on the screen --------------------------------------------------------------------------
 
 // Ties as in planes.hpp.
 int ShownLine::sign_at(std::int64_t px, std::int64_t py) const {
-    const auto sign_of = [](const Word& v) { return v.is_negative() ? -1 : v.is_zero() ? 0 : 1; };
     const int s = sign_of(x * px + y * py + c);
     if (s != 0) return s;
     return !x.is_zero() ? sign_of(x) : sign_of(y);
@@ -104,9 +108,8 @@ bool LightLines::make(const Setting& setting, std::size_t meetings, std::span<st
     const Mesh& mesh = setting.mesh;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const Edge& edge = mesh.edges[e];
-        const auto v = numbers(plane_through(setting.light.centre, mesh.vertices[edge.low],
-                                             mesh.vertices[edge.high]));
-        edges_[e] = {v, leading_of(v)};
+        edges_[e] = LightLine(numbers(plane_through(
+            setting.light.centre, mesh.vertices[edge.low], mesh.vertices[edge.high])));
     }
     return true;
 }
@@ -145,10 +148,9 @@ LightLine LightLines::where_cut(std::uint32_t on, const Plane& plane) const {
     const Centre& light = setting_->light.centre;
     const Sum at_a = a.at(light), at_f = plane.at(light);
     const auto va = numbers(a), vf = numbers(plane);
-    LightLine line;
-    for (std::size_t k = 0; k < 3; ++k) line.v[k] = at_a * vf[k] - at_f * va[k];
-    line.leading = leading_of(line.v);
-    return line;
+    std::array<Sum, 3> v;
+    for (std::size_t k = 0; k < 3; ++k) v[k] = at_a * vf[k] - at_f * va[k];
+    return LightLine(v);
 }
 
 const LightLine& LightLines::line(LineId id) const {
@@ -159,9 +161,7 @@ int LightLines::sign(LineId a, LineId b, LineId c, SignCounts& counts) const {
     const bool wide = a.is_meeting() || b.is_meeting() || c.is_meeting();
     ++(wide ? counts.meetings : counts.edges);
     int s = sign_by_leading(line(a), line(b), line(c));
-    if (s == 0)
-        s = wide ? sign_by_all_bits(line(a), line(b), line(c))
-                 : determinant_sign<Sum>(line(a), line(b), line(c));
+    if (s == 0) s = sign_by_all_bits(line(a), line(b), line(c));
     return s * a.inside() * b.inside() * c.inside();
 }
 

@@ -17,9 +17,8 @@
 // direction from the light); for a direction L whose component d is the largest, those of the
 // normal but n[d], and the offset (a point of the picture is P moved along L to where P[d] = 0).
 //
-// Bits (planes.hpp). A number of an edge's line has normal_bits or offset_bits, and no two have
-// offset_bits in one product: 2 normal_bits + offset_bits + 3. Of a meeting line the numbers have
-// as many more as F . L has.
+// Bits (planes.hpp). A number of an edge's line has normal_bits or offset_bits; of a meeting line
+// the numbers have as many more as F . L has. Products are as wide as they can be.
 #pragma once
 
 #include "shadow/rivals/light_grid.hpp"
@@ -61,11 +60,13 @@ using LeadingBits = std::array<std::int32_t, 3>;
 inline constexpr int leading_bits = 20;
 
 struct LightLine {
+    LightLine() = default;
+    explicit LightLine(const std::array<Sum, 3>&);
+
     std::array<Sum, 3> v;
     LeadingBits leading{};
+    std::int32_t limbs = 1;  // of 64 bits that hold each number, with two bits to spare
 };
-
-LeadingBits leading_of(const std::array<Sum, 3>& v);
 
 // The sign of det(a, b, c); 0 where the leading bits leave it open.
 int sign_by_leading(const LightLine& a, const LightLine& b, const LightLine& c);
@@ -81,10 +82,7 @@ struct Meeting {
 
 // F . L, as pi . E in planes.hpp.
 inline constexpr int at_light_bits = offset_bits + 1;
-inline constexpr int edge_sign_bits = 2 * normal_bits + offset_bits + 3;
-inline constexpr int meeting_sign_bits = edge_sign_bits + 3 * (at_light_bits + 1);
-using MeetingSum = fixed::WideInt<7>;
-static_assert(edge_sign_bits < Sum::bits && meeting_sign_bits < MeetingSum::bits);
+static_assert(offset_bits + at_light_bits + 2 < Sum::bits - 2);  // a meeting line's numbers
 
 // A line as the eye sees it on one facet's plane; positive inside.
 struct ShownLine {

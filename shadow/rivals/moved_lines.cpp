@@ -14,8 +14,8 @@ int sign_of_rows(const Rows& r) {
 
 inline constexpr std::size_t numbers_of_line = 3;
 const std::array<LightLine, numbers_of_line> units{
-    LightLine{{Sum(1), Sum(0), Sum(0)}, {}}, LightLine{{Sum(0), Sum(1), Sum(0)}, {}},
-    LightLine{{Sum(0), Sum(0), Sum(1)}, {}}};
+    LightLine({Sum(1), Sum(0), Sum(0)}), LightLine({Sum(0), Sum(1), Sum(0)}),
+    LightLine({Sum(0), Sum(0), Sum(1)})};
 
 // The infinitesimal of number c of the line with rank k is h^(2^(3 k + c)): so a product of some of
 // them is greater than another if its set, as a binary number, is less. Its coefficient is the

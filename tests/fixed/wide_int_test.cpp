@@ -36,6 +36,7 @@ void expect_same(Int128 a, Int128 b) {
     }
     if (!umbra78::test::product_overflows(a, b, model)) {
         ASSERT_EQ(x * y, from_128<2>(model));
+        ASSERT_EQ(full_product(x, y), WideInt<4>(x * y));
         if (y.fits_int64()) {
             ASSERT_EQ(x * y.to_int64(), x * y);
             ASSERT_EQ(y.to_int64() * x, x * y);
@@ -112,6 +113,29 @@ TEST(WideInt, RingIdentitiesAtFourLimbs) {
     }
 }
 
+// Long products skip the limbs that are 0, and short ones are the middle of the full product.
+TEST(WideInt, ProductsOfAnySizesAreOne) {
+    test::Random random;
+    const auto word = [&](int bits) {
+        const Wide4 w = (from_128<4>(word_128(random)) << 126) + from_128<4>(word_128(random));
+        return w >> (254 - bits);
+    };
+    for (int i = 0; i < 50000; ++i) {
+        const WideInt<3> a(word(static_cast<int>(random.between(1, 191))));
+        const Wide4 b = word(static_cast<int>(random.between(1, 254)));
+        const WideInt<8> model = WideInt<8>(a) * WideInt<8>(b);
+        ASSERT_EQ(full_product(a, b), WideInt<7>(model));
+        ASSERT_EQ(full_product(b, a), WideInt<7>(model));
+        const std::int64_t c = random.word();
+        ASSERT_EQ(WideInt<5>(b) * c, WideInt<5>(full_product(b, WideInt<1>(c))));
+        ASSERT_EQ(WideInt<8>(b) * c, WideInt<8>(b) * WideInt<8>(c));
+    }
+    const Wide4 least = -(Wide4(1) << 254) - (Wide4(1) << 254);
+    EXPECT_EQ(full_product(least, least), WideInt<8>(1) << 510);
+    EXPECT_EQ(full_product(least, WideInt<1>(INT64_MIN)), WideInt<5>(1) << 318);
+    EXPECT_EQ(WideInt<5>(least) * INT64_MIN, WideInt<5>(1) << 318);
+}
+
 TEST(WideInt, LengthsAndConversions) {
     for (int n = 0; n < 255; ++n) {
         const Wide4 power = Wide4(1) << n;
@@ -146,8 +170,11 @@ TEST(WideInt, EveryOverflowTraps) {
     EXPECT_DEATH(min / -1, "result overflow");
     EXPECT_DEATH(max * 2, "overflow");
     EXPECT_DEATH(max * 3, "overflow");                            // a carry leaves the top limb
-    EXPECT_DEATH((Wide2(1) << 64) * (Wide2(1) << 64), "overflow");  // a whole limb does
-    EXPECT_DEATH((Wide2(1) << 100) * (Wide2(1) << 100), "product overflow|result overflow");
+    EXPECT_DEATH((Wide2(1) << 64) * (Wide2(1) << 64), "does not fit");  // a whole limb does
+    EXPECT_DEATH((Wide2(1) << 100) * (Wide2(1) << 100), "does not fit");
+    EXPECT_DEATH(min * -1, "product overflow");
+    EXPECT_DEATH((WideInt<5>(1) << 160) * (WideInt<5>(1) << 160), "product overflow");
+    EXPECT_DEATH((WideInt<5>(1) << 160) * (WideInt<5>(1) << 159), "result overflow");
     EXPECT_DEATH(max << 1, "left shift overflow");
     EXPECT_DEATH(Wide2(1) << 127, "left shift overflow");
     EXPECT_DEATH(Wide2(1) << 128, "count outside");

@@ -32,7 +32,7 @@ TEST(MachineSpec, EveryKnobIsRefusedOneStepOutsideItsRange) {
     };
     constexpr std::array<Case, 5> cases{{
         {&MachineSpec::xy_bits, 4, 12, SpecStatus::xy_bits},
-        {&MachineSpec::z_bits, 4, 24, SpecStatus::z_bits},
+        {&MachineSpec::z_bits, 4, 26, SpecStatus::z_bits},
         {&MachineSpec::coefficient_bits, 8, 32, SpecStatus::coefficient_bits},
         {&MachineSpec::fraction_bits, 0, 12, SpecStatus::fraction_bits},
         {&MachineSpec::max_accumulator_bits, 16, 64, SpecStatus::max_accumulator_bits},
@@ -56,11 +56,15 @@ TEST(MachineSpec, EveryKnobIsRefusedOneStepOutsideItsRange) {
 // centre and every Z code exact in an input word.
 TEST(MachineSpec, EveryWidthInRangeCloses) {
     for (int xy = 4; xy <= 12; ++xy) {
-        for (int z = 4; z <= 24; ++z) {
+        for (int z = 4; z <= 26; ++z) {
             MachineSpec m;
             m.xy_bits = xy;
             m.z_bits = z;
             m.coefficient_bits = 32;
+            if (z > xy + 20) {
+                EXPECT_EQ(check(m), SpecStatus::z_bits);
+                continue;
+            }
             ASSERT_EQ(check(m), SpecStatus::ok);
             EXPECT_LE(m.word_bits(), 31);
             EXPECT_LE(m.accumulator_bits(), 62);

@@ -80,6 +80,24 @@ TEST(NoiseSource, BelongsToThePlace) {
 }
 
 // Mean 0, variance size^2 / 12 / k, nothing outside half the size, X and Y uncorrelated.
+// The taps' bytes of every number of taps, 2^30 bits on in the register, pixel after pixel.
+TEST(TapNoise, EqualsTheRegistersBytes) {
+    MachineSpec spec;
+    spec.xy_bits = 5;
+    for (int taps = 0; taps <= max_taps; ++taps) {
+        TapNoise source(0x2bcdef01, taps, spec, 3, 2);
+        fixed::NoiseRegister bits(0x2bcdef01);
+        bits.jump(TapNoise::start + (2 * 32 + 3) * 16 * static_cast<std::uint64_t>(taps));
+        for (int pixel = 0; pixel < 3; ++pixel) {
+            const TapBytes bytes = source.next();
+            for (std::size_t t = 0; t < static_cast<std::size_t>(taps); ++t) {
+                ASSERT_EQ(bytes.x[t], bits.take(8)) << taps << " taps, tap " << t;
+                ASSERT_EQ(bytes.y[t], bits.take(8)) << taps << " taps, tap " << t;
+            }
+        }
+    }
+}
+
 TEST(NoiseSource, HasTheMomentsOfItsShape) {
     MachineSpec spec;
     spec.fraction_bits = 12;  // so that the word's own rounding does not show

@@ -165,6 +165,22 @@ TEST(Dice, PatchesOfDifferentLevelsLeaveNoCrack) {
     EXPECT_GT(differing, effort(20));
 }
 
+// Where a border has fewer levels than its patch, vertices fall together: what is left of a facet
+// then is a line, and no facet.
+TEST(Dice, MakesNoFacetOfTwoCorners) {
+    Words words(71);
+    const auto memory = std::make_unique<DiceMemory>();
+    for (int n = 0; n < 200; ++n) {
+        DiceLevels levels{3, {}};
+        for (int& edge : levels.edge) edge = static_cast<int>(words.within(1) + 2);
+        for (const Facet& f : dice(words.patch(1 << 16), levels, false, *memory).facets) {
+            ASSERT_NE(f.vertex[0], f.vertex[1]);
+            ASSERT_NE(f.vertex[1], f.vertex[2]);
+            ASSERT_NE(f.vertex[2], f.vertex[0]);
+        }
+    }
+}
+
 TEST(Dice, DrawsWhatSubdivisionDraws) {
     umbra78::test::Patches patches;
     umbra78::test::add_sphere(patches, umbra78::test::sphere(-0.5, 0.4, 0, 1.1));
@@ -178,6 +194,7 @@ TEST(Dice, DrawsWhatSubdivisionDraws) {
     front.facing = Facing::front;
     const DrawCounts counts = diced.draw(patches, view, Sampling::centre, &light);
     EXPECT_EQ(counts.diced_patches, patches.size());
+    EXPECT_EQ(counts.subdivided(), 0u);
     EXPECT_GT(counts.facets, 1000u);
     EXPECT_EQ(counts.blocks, 0u);
     const DrawCounts fronts = front.draw(patches, view, Sampling::centre, &light);

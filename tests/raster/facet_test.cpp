@@ -227,6 +227,57 @@ TEST(Facet, MixesItsCornersNormals) {
     EXPECT_NEAR(at(0, -0.133), 200 * 0.9487, 2);
 }
 
+// A crossing in the middle of an edge: what lies at a half goes up, whichever way the edge runs.
+TEST(Facet, ACutAtAHalfRoundsUp) {
+    for (const std::int64_t way : {3, -3}) {
+        FacetPolygon p;
+        p.count = 3;
+        p.vertex[0].screen = {0, 0, 9, 1};  // within by 1
+        p.vertex[1].screen = {way, 0, 11, 1};  // beyond by 1
+        p.vertex[2].screen = {0, 5, 9, 1};
+        bool cut = false;
+        ASSERT_TRUE(p.clip({100, 100, 10}, cut));
+        EXPECT_TRUE(cut);
+        ASSERT_EQ(p.count, 4u);
+        EXPECT_EQ(p.vertex[1].screen, (ScreenPlace{way > 0 ? 2 : -1, 0, 10, 1}));
+    }
+}
+
+// A normal that lies in the facet's plane is on neither side of it, and stays as it is.
+TEST(Facet, ANormalInItsPlaneIsNotTurned) {
+    constexpr std::int32_t one = 1 << unit_fraction;
+    FacetPolygon p;
+    FacetTriangle t{{&p.vertex[0], &p.vertex[1], &p.vertex[2]},
+                    {Corner{0, 0, 0}, Corner{8192, 0, 0}, Corner{0, 8192, 0}}};
+    for (FacetVertex& v : p.vertex) v.normal = {one, 0, 0}, v.screen = {0, 0, 0, 1};
+    const std::array<WideVector, 3> facet{{{0, 0, 0}, {640, 0, 0}, {0, 640, 0}}};
+    ShadingSpec spec(0, {}, {});
+    spec.viewer.direction = {0, 0, one};
+    spec.sources[0].toward.direction = {one, 0, 0};
+    spec.rule = ShadingRule::lambert;
+    Material material{};
+    material.diffuse = 200;
+    const FacetShading shading(t, facet, false, spec, material);
+    EXPECT_EQ(shading.shade(Sample{0, 0, 1000, 1000, 0, 0, 0}, 0)[0].intensity, 200);
+}
+
+// What is cut to the guard band may still lie outside the cube.
+TEST(Facet, IsUnseenCutOrNot) {
+    OwnedMesh m;
+    m.add(20, 0, 0), m.add(200, 0, 0), m.add(20, 100, 0);
+    m.facets = {{{0, 1, 2}}};
+    const View view = umbra78::test::orthographic(0, 0, 1);
+    const MachineSpec spec;
+    const WordFormat object = object_format(m.surfaces());
+    MatrixWords matrix;
+    ASSERT_EQ(load_view(view, spec, object, matrix), hw::LoadStatus::ok);
+    FacetWalk walk(spec, matrix, object, {}, false);
+    walk.begin(m.mesh());
+    const FacetWalk::Outcome outcome = walk.project(m.facets[0]);
+    ASSERT_EQ(outcome, FacetWalk::Outcome::cut);
+    EXPECT_TRUE(walk.unseen(outcome));
+}
+
 TEST(Facet, RefusesNumbersThatAreNotThere) {
     OwnedMesh m = quad(umbra78::test::plane({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}));
     const View view = umbra78::test::orthographic(0, 0, 2);

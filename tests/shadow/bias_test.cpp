@@ -122,6 +122,20 @@ TEST(Bias, OfAPointLightIsTheSlopeAtTheTarget) {
     }
 }
 
+// What a lamp's quantum and texel are at a depth follows from two numbers: 2^z_bits far / (far -
+// near) less the middle code and the bias, and half_px distance / extent, both Q.8.
+TEST(Bias, ScaleOfAPointLightIsThatOfItsDepths) {
+    raster::View lamp;
+    lamp.projection = raster::Projection::perspective;
+    lamp.extent = 2 << 16;
+    lamp.distance = 5 << 16;
+    lamp.near_depth = 1 << 16;
+    lamp.far_depth = 3 << 16;
+    const LightScale scale = light_scale(lamp, hw::MachineSpec{}, std::int64_t{64} << 16);
+    EXPECT_EQ(scale.reach_q8, (65536 * 3 / 2 - 32768 - 64) * 256);
+    EXPECT_EQ(scale.focal_q8, 256 * 5 / 2 * 256);
+}
+
 // The bias is the matrix's: with and without it, every point's Z differs by just that.
 TEST(Bias, LivesInTheMatrix) {
     const hw::MachineSpec spec;

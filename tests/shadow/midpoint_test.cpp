@@ -22,7 +22,7 @@ public:
     }
     MidpointSink<Depth> sink() { return {nearest_, behind_}; }
     Depth at(int x, int y) const { return map_[nearest_.address(x, y)]; }
-    void finish() { take_midpoints<Depth>(second_, map_); }
+    void finish() { take_midpoints<Depth>({}, second_, map_); }
     const hw::MachineSpec& spec() const { return spec_; }
 
 private:

@@ -177,6 +177,46 @@ TEST(PostProcessRows, RandomMatricesAndFrames) {
     EXPECT_GT(shadowed, 100000u) << "too little in shadow for a test";
 }
 
+// A W row like a view's: its constant outweighs the rest as a rule, and W may be small or negative.
+void make_w_row(Random& random, const hw::MachineSpec& spec, hw::MatrixWords& m) {
+    const std::int64_t max = (std::int64_t{1} << (spec.coefficient_bits - 1)) - 1;
+    const std::int64_t small = std::int64_t{1} << random.between(0, spec.coefficient_bits - 2);
+    for (std::size_t c = 0; c < 3; ++c)
+        m.word[3][c] = static_cast<std::int32_t>(random.between(-small, small));
+    m.word[3][3] = static_cast<std::int32_t>(random.between(max / 8, max));
+}
+
+// In perspective, with wide coefficients and with any exponents: what wide lanes transform.
+TEST(PostProcessRows, RandomMatricesThatDivideOrAreWide) {
+    Random random;
+    std::uint64_t shadowed = 0;
+    int divides = 0, wide = 0, refused = 0;
+    for (int round = 0; round < 600 && !::testing::Test::HasFailure(); ++round) {
+        Settings s = test::random_settings(random, true);
+        s.machine.coefficient_bits = static_cast<int>(random.between(8, 32));
+        if (round % 2 == 0) s.machine.coefficient_bits = test::pick(random, {16, 24});
+        OwnedStore<hw::Depth16> observer(s.machine.xy_bits), light(s.machine.xy_bits);
+        test::fill_depth(random, s.machine, observer.depth);
+        test::fill_depth(random, s.machine, light.depth);
+        hw::MatrixWords m = test::random_matrix(random, s.machine, round % 3 == 0);
+        if (round % 3 == 1) make_w_row(random, s.machine, m);
+        if (round % 8 == 0)
+            for (int& e : m.exponent) e = static_cast<int>(random.between(-20, 20));
+        if (!rows_cover(s, m)) {
+            ++refused;
+            continue;
+        }
+        divides += m.affine ? 0 : 1;
+        wide += s.machine.coefficient_bits > 16 ? 1 : 0;
+        expect_forms_agree(maps_of(observer, light), m, s,
+                           "round " + std::to_string(round) + " ", shadowed);
+    }
+    EXPECT_GT(shadowed, 50000u) << "too little in shadow for a test";
+    EXPECT_GT(divides, 300);
+    EXPECT_GT(wide, 200);
+    EXPECT_LT(refused, 100);
+}
+
 // The figures' views at every size, and biases from absurd to negative.
 TEST(PostProcessRows, TheFiguresMatrixAtEverySizeAndBias) {
     Random random;
@@ -326,12 +366,16 @@ TEST(PostProcessRows, CoverWhatTheySay) {
         return rows_cover(s, words);
     };
     using W = hw::MatrixWords;
-    EXPECT_FALSE(covers([](Settings&, W& w) { w.affine = false; }));
+    EXPECT_TRUE(covers([](Settings&, W& w) { w.affine = false; }));
+    EXPECT_FALSE(covers([](Settings& s, W& w) {
+        w.affine = false;
+        s.machine.divide_order = hw::DivideOrder::round_first;
+    }));
     EXPECT_FALSE(covers([](Settings& s, W&) { s.lookup = Lookup::percentage; }));
     EXPECT_FALSE(covers([](Settings& s, W&) { s.lookup = Lookup::filtered_depth; }));
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.xy_bits = 10; })) << "wider than a row";
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.z_bits = 17; }));
-    EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.coefficient_bits = 17; }));
+    EXPECT_TRUE(covers([](Settings& s, W&) { s.machine.coefficient_bits = 24; }));
     // 35 bits: with one bit less a product is cut, and is no sum of shares.
     for (const int bits : {16, 33, 34, 35, 36, 64})
         EXPECT_EQ(covers([&](Settings& s, W&) { s.machine.max_accumulator_bits = bits; }),
@@ -347,10 +391,10 @@ TEST(PostProcessRows, CoverWhatTheySay) {
     for (const Rounding r : fixed::test::all_roundings)
         EXPECT_EQ(covers([&](Settings& s, W&) { s.machine.transform_rounding = r; }),
                   r == Rounding::half_up || r == Rounding::floor);
-    // The shift is 14 - e here; from 6 to 28 the 32-bit lanes hold all parts.
+    // The shift is 14 - e here; from 1 on wide lanes hold all parts.
     for (std::size_t row = 0; row < 3; ++row)
         for (int e = hw::min_exponent; e <= hw::max_exponent; ++e)
-            EXPECT_EQ(covers([&](Settings&, W& w) { w.exponent[row] = e; }), e >= -14 && e <= 8)
+            EXPECT_EQ(covers([&](Settings&, W& w) { w.exponent[row] = e; }), e <= 13)
                 << "row " << row << " exponent " << e;
     EXPECT_TRUE(covers([](Settings&, W& w) { w.exponent[3] = 31; })) << "the W row is not used";
 }

@@ -25,6 +25,9 @@ struct Ran {
 
 class Program : public testing::Test {
 protected:
+    static inline const std::string scenes = UMBRA78_SOURCE_DIR "/tools/scenes/";
+    static inline const std::string figures_scene = scenes + "figures.toml";
+
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() /
         ("umbra78-program-" + std::to_string(getpid()) + "-" +

@@ -2,8 +2,7 @@
 
 #include "shadow/filters/dequantize.hpp"
 #include "shadow/filters/low_pass.hpp"
-#include "shadow/frame/frame.hpp"
-#include "shadow/frame/paper_figures.hpp"
+#include "tools/benchmarks/drawn_frame.hpp"
 #include "tools/benchmarks/float_frame.hpp"
 
 #include <benchmark/benchmark.h>
@@ -19,35 +18,6 @@ namespace {
 
 using hw::Depth16;
 
-// A scene with its frame, drawn once.
-struct DrawnFrame {
-    shadow::Settings settings;
-    shadow::Scene scene;
-    std::vector<std::byte> memory;
-    shadow::FrameBuffers<Depth16> frame;
-    shadow::FrameMatrices matrices;
-    shadow::FrameCounts counts;
-    shadow::FramePlan plan;
-
-    DrawnFrame(const shadow::Settings& s, std::span<const raster::Patch> patches,
-               const raster::Mesh& mesh)
-        : settings(s), scene{patches,
-                             {&shadow::figure_material, 1},
-                             shadow::figure_view(0),
-                             {{shadow::figure_view(shadow::figure_azimuth_q16)}}},
-          memory(shadow::frame_bytes<Depth16>(s.machine, patches.size()) + 64) {
-        scene.mesh = mesh;
-        void* at = memory.data();
-        std::size_t space = memory.size();
-        auto* aligned = static_cast<std::byte*>(std::align(64, space - 64, at, space));
-        frame = shadow::carve<Depth16>({aligned, space}, s.machine, patches.size());
-        draw();
-        plan = shadow::make_plan(inputs());
-    }
-    shadow::FrameInputs inputs() const { return {scene, settings, matrices}; }
-    void draw() { shadow::render(scene, settings, frame, matrices, counts); }
-};
-
 template <class Make>
 auto& made(const std::string& key, Make&& make) {
     using Made = decltype(make());
@@ -61,24 +31,27 @@ const SphereMesh& mesh_of(int rings) {
 }
 
 // What the float frame does: one side, no highlight, the bare test.
+std::unique_ptr<DrawnFrame> make_triangles(int rings, std::size_t workers) {
+    shadow::Settings s = shadow::figure_settings(3);
+    s.facing = raster::Facing::front;
+    s.shading = raster::ShadingRule::lambert;
+    s.bias_q16 = 400 << 16;
+    return std::make_unique<DrawnFrame>(s, std::span<const raster::Patch>(),
+                                        mesh_of(rings).mesh(), workers);
+}
 DrawnFrame& triangles(int rings) {
-    return made(fmt::format("{}", rings), [&] {
-        shadow::Settings s = shadow::figure_settings(3);
-        s.facing = raster::Facing::front;
-        s.shading = raster::ShadingRule::lambert;
-        s.bias_q16 = 400 << 16;
-        return std::make_unique<DrawnFrame>(s, std::span<const raster::Patch>(),
-                                            mesh_of(rings).mesh());
-    });
+    return made(fmt::format("{}", rings), [&] { return make_triangles(rings, 1); });
 }
 
-DrawnFrame& figure6(raster::Sampling sampling) {
+std::unique_ptr<DrawnFrame> make_figure6(raster::Sampling sampling, std::size_t workers) {
     static const shadow::FigurePatches patches = shadow::figure_patches();
-    return made(sampling == raster::Sampling::leaf ? "leaf" : "centre", [&] {
-        shadow::Settings s = shadow::figure_settings(6);
-        s.sampling = sampling;
-        return std::make_unique<DrawnFrame>(s, patches, raster::Mesh{});
-    });
+    shadow::Settings s = shadow::figure_settings(6);
+    s.sampling = sampling;
+    return std::make_unique<DrawnFrame>(s, patches, raster::Mesh{}, workers);
+}
+DrawnFrame& figure6(raster::Sampling sampling) {
+    return made(sampling == raster::Sampling::leaf ? "leaf" : "centre",
+                [&] { return make_figure6(sampling, 1); });
 }
 
 template <class Stage>
@@ -106,6 +79,17 @@ void add_stages(std::vector<std::string>& names, const std::string& what,
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::unique_ptr<DrawnFrame>>> benchmark_frames(
+    std::size_t workers) {
+    std::vector<std::pair<std::string, std::unique_ptr<DrawnFrame>>> all;
+    all.emplace_back("figure 6 by centres", make_figure6(raster::Sampling::centre, workers));
+    all.emplace_back("figure 6 by leaves", make_figure6(raster::Sampling::leaf, workers));
+    for (const int rings : {12, 44, 178})
+        all.emplace_back(fmt::format("{} triangles", 16 * rings * (rings - 1)),
+                         make_triangles(rings, workers));
+    return all;
+}
 
 void add_frames(std::vector<std::string>& names) {
     for (const int rings : {12, 44, 178}) {  // four spheres of 4 rings (rings - 1) triangles

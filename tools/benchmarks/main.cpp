@@ -12,6 +12,7 @@
 #include "shadow/row_form.hpp"
 #include "tools/benchmarks/float_baseline.hpp"
 #include "tools/benchmarks/frames.hpp"
+#include "tools/benchmarks/workers.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -132,30 +133,42 @@ void add_clocked(const std::string& name, int figure) {
     })->Unit(benchmark::kMillisecond);
 }
 
+// Figure 3's; or the same results, each divided by W, which is what perspective costs.
+hw::MatrixWords matrix_of(const Bench& b, bool divides) {
+    hw::MatrixWords m = b.matrices.lights[0].observer_to_light;
+    m.affine = !divides;
+    return m;
+}
+
 // The row forms that this processor has, on figure 3's frame: each lookup and dither.
 void add_row_forms() {
     struct Case {
         const char* name;
         shadow::Lookup lookup;
         hw::DitherShape dither;
+        bool divides = false;
     };
     using hw::DitherShape;
     for (const Case& c : {Case{"nearest", shadow::Lookup::nearest, DitherShape::none},
                           Case{"bilinear", shadow::Lookup::bilinear, DitherShape::none},
                           Case{"nearest, normal4", shadow::Lookup::nearest, DitherShape::normal4},
                           Case{"bilinear, normal", shadow::Lookup::bilinear,
-                               DitherShape::normal}})
+                               DitherShape::normal},
+                          Case{"nearest, in perspective", shadow::Lookup::nearest,
+                               DitherShape::none, true}})
         for (const shadow::RowForm& form : shadow::row_forms()) {
             if (!form.supported()) continue;
             add(fmt::format("rows, {}: {}", c.name, form.name), 3,
                 [c, &form](Bench& b, shadow::Settings s) {
                     s.lookup = c.lookup;
                     s.dither.shape = c.dither;
-                    shadow::post_process_rows(b.frame.maps(),
-                                              b.matrices.lights[0].observer_to_light, s,
+                    shadow::post_process_rows(b.frame.maps(), matrix_of(b, c.divides), s,
                                               *b.frame.rows, b.frame.lights[0].mask, form);
                 });
         }
+    add("post-process, in perspective, plain form", 3, [](Bench& b, const shadow::Settings& s) {
+        shadow::post_process(b.frame.maps(), matrix_of(b, true), s, b.frame.lights[0].mask);
+    });
 }
 
 void add_all() {
@@ -315,6 +328,8 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && std::string(argv[1]) == "--threads")
+        return tools::compare_workers(argc > 2 ? std::atoi(argv[2]) : 2, 40);
     std::vector<std::string> defaults{argv[0], "--benchmark_repetitions=15",
                                       "--benchmark_enable_random_interleaving=true",
                                       "--benchmark_report_aggregates_only=true",

@@ -26,14 +26,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct AnimateOptions {
     std::string scene, out, light, observer;
     std::vector<std::string> set;
-    int frames = 0;
+    int frames = 0, threads = 1;
     bool json = false;
 };
 
-std::vector<AzimuthSweep> read_sweeps(const Options& options) {
+std::vector<AzimuthSweep> read_sweeps(const AnimateOptions& options) {
     std::vector<AzimuthSweep> sweeps;
     const auto add = [&](const char* view, const std::string& text) {
         if (text.empty()) return;
@@ -49,7 +49,7 @@ std::vector<AzimuthSweep> read_sweeps(const Options& options) {
     return sweeps;
 }
 
-bool has_point_light(const Options& options) try {
+bool has_point_light(const AnimateOptions& options) try {
     return load_scene(options.scene, options.set).light().projection ==
            raster::Projection::perspective;
 } catch (const SceneError&) {
@@ -58,7 +58,7 @@ bool has_point_light(const Options& options) try {
 
 class Sequence {
 public:
-    explicit Sequence(const Options& options)
+    explicit Sequence(const AnimateOptions& options)
         : options_(options), sweeps_(read_sweeps(options)),
           folder_(options.out.empty() ? Path(options.scene).stem() : Path(options.out)),
           scene_(load(1)), old_(read_manifest(folder_)) {}
@@ -96,7 +96,7 @@ private:
     void report(int frame, const ordered_json& row) const;
     void show_progress(int frame) const;
 
-    const Options& options_;
+    const AnimateOptions& options_;
     std::vector<AzimuthSweep> sweeps_;
     Path folder_;
     std::unique_ptr<LoadedScene> scene_;  // of the current frame
@@ -176,7 +176,8 @@ void Sequence::draw(int frame) {
             job_->advance(scene_->view(), scene_->settings);
         } else {
             job_ = std::make_unique<RenderJob>(scene_->view(), scene_->settings,
-                                                Maps::for_shadows_alone);
+                                                Maps::for_shadows_alone,
+                                                workers_for(options_.threads));
         }
         drawn_ = std::move(scene_);
         job_->render();
@@ -238,7 +239,7 @@ void Sequence::print_summary() const {
                options_.frames, drawn_frames_, options_.frames - drawn_frames_, s.count());
 }
 
-void run(const Options& options) {
+void run(const AnimateOptions& options) {
     Sequence sequence(options);
     sequence.run();
     if (options.json) {
@@ -251,7 +252,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_animate_command(CLI::App& app, int&) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<AnimateOptions>();
     Command command(app, "animate",
                     "Render a sequence in which the light or the observer moves round the scene");
     command.scene(options->scene);
@@ -264,6 +265,7 @@ void add_animate_command(CLI::App& app, int&) {
                           "Folder for frame_0001.png ... and frames.json; default: the scene's "
                           "name. Frames already there with the same inputs are not drawn again");
     command.set(options->set);
+    command.threads(options->threads);
     command.json(options->json);
     command.footer("Settings are those of umbra78 render --help.\n\nExample:\n"
                    "  umbra78 animate tools/scenes/figures.toml --frames 60 --light -100:80 "

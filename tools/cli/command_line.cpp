@@ -169,6 +169,14 @@ Argument Command::json(bool& value, const std::string& in_place_of) {
     return flag("--json", value, "Print JSON instead of " + in_place_of);
 }
 
+void Command::threads(int& value) {
+    number("--threads", value, "N",
+           "Threads that draw a frame, 1 to 64; 0: one for each processor. The frame is the same "
+           "with any number, to the bit")
+        .range(0, 64)
+        .default_shown();
+}
+
 void Command::footer(const std::string& text) { app_->footer(text); }
 
 void Command::footer(std::function<std::string()> text) { app_->footer(std::move(text)); }

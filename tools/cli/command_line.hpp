@@ -68,6 +68,7 @@ public:
     // Arguments that most commands have.
     void scene(std::string& file);
     void set(std::vector<std::string>& overrides);
+    void threads(int& value);
     Argument json(bool& value, const std::string& in_place_of = "text");
 
     void footer(const std::string& text);

@@ -18,6 +18,7 @@ void add_trace_command(CLI::App&, int& exit_code);
 void add_settings_command(CLI::App&, int& exit_code);
 void add_bands_command(CLI::App&, int& exit_code);
 void add_bias_command(CLI::App&, int& exit_code);
+void add_shadow_command(CLI::App&, int& exit_code);
 void add_study_command(CLI::App&, int& exit_code);
 void add_model_command(CLI::App&, int& exit_code);
 void add_pack_command(CLI::App&, int& exit_code);

@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct CyclesOptions {
     std::string scene, profile, vcd;
     std::vector<std::string> set;
     bool all = false, json = false;
@@ -57,7 +57,7 @@ std::string timed_pixels(const LoadedScene& scene, const RenderJob& job) {
                        is_replayed(scene) ? "" : ", and no memory replayed");
 }
 
-void one_profile(const Options& options, const LoadedScene& scene) {
+void one_profile(const CyclesOptions& options, const LoadedScene& scene) {
     RenderJob job(scene.view(), scene.settings);
     job.render();
     if (!options.vcd.empty()) {
@@ -100,7 +100,7 @@ void one_profile(const Options& options, const LoadedScene& scene) {
 }
 
 // The scene on a machine: --set comes after the profile, as it does for --profile alone.
-LoadedScene scene_on(const std::string& profile, const Options& options) {
+LoadedScene scene_on(const std::string& profile, const CyclesOptions& options) {
     if (shadow::find_profile(profile) == nullptr) {
         std::vector<std::string_view> known;
         for (const shadow::Profile& each : shadow::profiles()) known.push_back(each.name);
@@ -116,9 +116,9 @@ LoadedScene scene_on(const std::string& profile, const Options& options) {
     return load_scene(options.scene, set);
 }
 
-void all_profiles(const Options& options) {
+void all_profiles(const CyclesOptions& options) {
     std::vector<ProfileCost> costs;
-    for (const shadow::Profile& profile : shadow::profiles()) {
+    for (const shadow::Profile& profile : shadow::profiles_of_1978()) {
         const std::string name(profile.name);
         const LoadedScene scene = scene_on(name, options);
         require_one_light(scene, "umbra78 cycles --all");
@@ -133,7 +133,7 @@ void all_profiles(const Options& options) {
 }
 
 // Without a scene: the table the paper could have printed.
-void all_figures(const Options& options) {
+void all_figures(const CyclesOptions& options) {
     const auto figures = figure_costs();
     if (!options.json) {
         fmt::print("{}", figure_table(figures));
@@ -145,7 +145,7 @@ void all_figures(const Options& options) {
     fmt::print("{}", print(json));
 }
 
-void run(const Options& options) {
+void run(const CyclesOptions& options) {
     if (options.scene.empty()) {
         if (!options.profile.empty() || !options.vcd.empty() || !options.set.empty())
             throw SceneError("--profile, --vcd and --set need a scene; give its file");
@@ -159,7 +159,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_cycles_command(CLI::App& app, int&) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CyclesOptions>();
     Command command(app, "cycles", "Print where a frame's cycles go on a machine of the time");
     command.input("scene", options->scene, "FILE",
                   "Scene file (TOML); default: figures 1 to 6 on every profile");

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct FiguresOptions {
     std::string out = "out", goldens;
     bool check = false, bless = false, json = false, words = false, no_scenes = false;
 };
@@ -231,7 +231,7 @@ void print_scenes(const Drawn& drawn, const Statuses& goldens) {
 }
 
 // Prints what differs and draws a picture of each difference. Returns whether nothing differs.
-bool accept(std::span<const GoldenCheck> checks, const Options& options, int size_px,
+bool accept(std::span<const GoldenCheck> checks, const FiguresOptions& options, int size_px,
             FileSet& files) {
     bool all_right = true;
     for (const GoldenCheck& check : checks) {
@@ -264,7 +264,7 @@ void write_pictures(const Path& out, const Drawn& drawn, FileSet& files) {
     write_ap120b_comparison(out / "ap120b.png", set, &files);
 }
 
-void run(Options options, int& exit_code) {
+void run(FiguresOptions options, int& exit_code) {
     if (options.words) {
         const Path scene = data_folder() / "scenes" / "figures.toml";
         fmt::print("{}", paper_scene_words(load_scene(scene.string(), {})));
@@ -318,7 +318,7 @@ void run(Options options, int& exit_code) {
 }  // namespace
 
 void add_figures_command(CLI::App& app, int& exit_code) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<FiguresOptions>();
     Command command(app, "figures", "Draw figures 1 to 8 of Williams 1978, and the gallery");
     command.output_folder("--out", options->out, "Folder for the pictures").default_shown();
     command.text("--goldens", options->goldens, "DIR",

@@ -102,6 +102,7 @@ int main(int argc, char** argv) {
     add_trace_command(app, exit_code);
     add_bands_command(app, exit_code);
     add_bias_command(app, exit_code);
+    add_shadow_command(app, exit_code);
     add_study_command(app, exit_code);
     add_model_command(app, exit_code);
     add_pack_command(app, exit_code);

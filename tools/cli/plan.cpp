@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 using shadow::Omission;
 using shadow::FrameStage;
 
-struct Options {
+struct PlanOptions {
     std::string scene;
     std::vector<std::string> set;
     bool json = false;
@@ -35,7 +35,7 @@ void for_omissions(const Planned& planned, bool left_out, Visit visit) {
     }
 }
 
-ordered_json to_json(const Options& options, const Planned& planned) {
+ordered_json to_json(const PlanOptions& options, const Planned& planned) {
     ordered_json json{{"scene", options.scene}};
     json.update(tools::to_json(planned));
     return json;
@@ -57,7 +57,7 @@ void print_stages(const Planned& planned) {
     }
 }
 
-void print_rows(const Options& options, const Planned& planned) {
+void print_rows(const PlanOptions& options, const Planned& planned) {
     const int size = planned.scene.settings.machine.size_px();
     const shadow::OutsideSurfaces& outside = planned.plan().outside;
     const char* const light = planned.lights() == 1 ? "light's" : "first light's";
@@ -97,7 +97,7 @@ void print_rows(const Options& options, const Planned& planned) {
                    "near, only after the test.\n");
 }
 
-void run(const Options& options) {
+void run(const PlanOptions& options) {
     const Planned planned(load_scene(options.scene, options.set));
     print_warnings(planned.warnings);
     if (options.json) {
@@ -110,7 +110,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_plan_command(CLI::App& app, int&) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<PlanOptions>();
     Command command(app, "plan",
                     "Print what a frame needs, what is left out and why, and the cycles saved");
     command.scene(options->scene);

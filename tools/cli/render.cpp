@@ -21,18 +21,19 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct DrawOptions {
     std::string scene, out, buffers, error_map;
     std::vector<std::string> set;
     bool json = false, no_truth = false, spool = false;
+    int threads = 1;
 };
 
-Path picture_path(const Options& options) {
+Path picture_path(const DrawOptions& options) {
     return options.out.empty() ? Path(options.scene).stem().concat(".png") : Path(options.out);
 }
 
 // Writes all files or, after an error, none.
-void write_files(const Options& options, const Rendered& rendered) {
+void write_files(const DrawOptions& options, const Rendered& rendered) {
     FileSet files;
     if (!options.buffers.empty()) files.make_folder(options.buffers);  // the picture may be there
     const Buffer picture = rendered.job.buffer(Plane::picture);
@@ -55,7 +56,7 @@ void write_files(const Options& options, const Rendered& rendered) {
     files.commit();
 }
 
-ordered_json to_json(const Options& options, const Rendered& rendered) {
+ordered_json to_json(const DrawOptions& options, const Rendered& rendered) {
     ordered_json json{{"scene", options.scene}, {"picture", picture_path(options).string()}};
     json.update(tools::to_json(rendered));
     return json;
@@ -86,7 +87,7 @@ void print_planes(const Rendered& rendered) {
                    rendered.has_map() ? "maps and " : "");
 }
 
-void print_rows(const Options& options, const Rendered& rendered) {
+void print_rows(const DrawOptions& options, const Rendered& rendered) {
     const RenderJob& job = rendered.job;
     const int size = rendered.scene.settings.machine.size_px();
     fmt::print("{}: {} x {} pixels, {} {}\n", picture_path(options).string(), size, size,
@@ -129,10 +130,10 @@ void print_rows(const Options& options, const Rendered& rendered) {
         fmt::print("error map   {}: {}\n", options.error_map, error_map_legend);
 }
 
-void run(const Options& options) {
+void run(const DrawOptions& options) {
     if (options.out.empty()) check_output(picture_path(options), ".png", {});
     const Rendered rendered(load_streamed_scene(options.scene, options.set, options.spool),
-                            {!options.no_truth, options.error_map});
+                            {!options.no_truth, options.error_map, options.threads});
     print_warnings(rendered.warnings);
     write_files(options, rendered);
     if (options.json) {
@@ -145,7 +146,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_render_command(CLI::App& app, int&) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DrawOptions>();
     Command command(app, "render", "Render a scene file");
     command.scene(options->scene);
     command.output("--out", options->out, ".png",
@@ -164,6 +165,7 @@ void add_render_command(CLI::App& app, int&) {
     command.flag("--spool", options->spool,
                  "Copy a [stream] that cannot be read twice, such as a pipe, to a temporary file "
                  "in TMPDIR first");
+    command.threads(options->threads);
     command.json(options->json);
     command.footer([] {
         return settings_help() +

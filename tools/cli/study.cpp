@@ -23,7 +23,7 @@ namespace {
 
 using namespace study;
 
-struct Options {
+struct StudyOptions {
     std::string scene, out, shard;
     std::vector<std::string> vary, parts;
     int jobs = 0;
@@ -46,7 +46,7 @@ Shard read_shard(const std::string& text) {
     return shard;
 }
 
-Asked asked_of(const Study& study, const Options& options) {
+Asked asked_of(const Study& study, const StudyOptions& options) {
     Request request;
     if (!options.scene.empty()) take_scene(options.scene, request);
     for (const std::string& vary : options.vary) request.vary.push_back(parse_vary(vary));
@@ -72,7 +72,7 @@ void print_done(const StudyDone& done, bool json) {
     for (const std::string& file : done.files) fmt::print("{}\n", file);
 }
 
-void run(const Study& study, const Options& options) {
+void run(const Study& study, const StudyOptions& options) {
     RunOptions how{options.jobs, {}, options.replace};
     if (!options.shard.empty()) how.shard = read_shard(options.shard);
     const Asked asked = asked_of(study, options);
@@ -84,7 +84,7 @@ void run(const Study& study, const Options& options) {
 constexpr const char* replace_help = "Overwrite the folder's finished study of other inputs";
 
 void add_study(const Command& above, const Study& study) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StudyOptions>();
     const std::string name(study.name());
     Command command(above, name, std::string(study.meaning()));
     if (study.takes().scene) {
@@ -117,7 +117,7 @@ void add_study(const Command& above, const Study& study) {
 }
 
 void add_merge(const Command& above) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StudyOptions>();
     Command command(above, "merge", "Make the files of a study from its parts");
     command.output_folder("out", options->out, "Folder for the files").required();
     command.inputs("parts", options->parts, "PART", "NAME.part-1-of-3.jsonl ..., all of them")
@@ -134,7 +134,7 @@ void add_merge(const Command& above) {
 }
 
 void add_verify(const Command& above, int& exit_code) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StudyOptions>();
     Command command(above, "verify",
                     "Render rows of a study's CSV again, and compare every figure but host times");
     command.input("csv", options->scene, "FILE.csv", "The CSV; its NAME.json beside it").required();

@@ -19,7 +19,7 @@
 namespace umbra78::tools {
 namespace {
 
-struct Options {
+struct TraceOptions {
     std::string scene, pixel, vcd;
     std::vector<std::string> set;
     std::uint64_t cycles = VcdOptions{}.cycles;
@@ -42,7 +42,7 @@ std::string check_pixel(const std::string& text) {
     return fmt::format("'{}' is not a pixel; write x,y as in 80,180", text);
 }
 
-void run_rival(const Options& options, const RenderJob& job) {
+void run_rival(const TraceOptions& options, const RenderJob& job) {
     if (!options.vcd.empty() || options.waterfall)
         throw SceneError(std::string(shadow::method_of(job.inputs()).no_trace));
     const RivalTrace trace = trace_rival(job, *parse_pixel(options.pixel));
@@ -57,7 +57,7 @@ void run_rival(const Options& options, const RenderJob& job) {
                trace.state, print(trace));
 }
 
-void run(const Options& options) {
+void run(const TraceOptions& options) {
     const LoadedScene scene = load_scene(options.scene, options.set);
     require_one_light(scene, "umbra78 trace");
     RenderJob job(scene.view(), scene.settings);
@@ -88,7 +88,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_trace_command(CLI::App& app, int&) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<TraceOptions>();
     Command command(app, "trace",
                     "Print every word of one pixel's way through the post-process");
     command.scene(options->scene);

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <fstream>
 #include <string>
-#include <system_error>
 
 namespace umbra78::tools {
 namespace {
@@ -40,18 +38,6 @@ void write_pgm(const Path& path, int width, int height, std::span<const Sample> 
         bytes.push_back(static_cast<std::byte>(sample & 0xFF));
     }
     write_file(path, bytes, set);
-}
-
-// A folder, a pipe or a device has no size of its own and is refused.
-std::string read_bytes(const Path& path) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) fail_to_read(path, "there is no such file");
-    if (!std::filesystem::is_regular_file(path, error)) fail_to_read(path, "it is not a file");
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes(std::filesystem::file_size(path, error), '\0');
-    if (error || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-        fail_to_read(path, "it cannot be opened or read");
-    return bytes;
 }
 
 template <class Sample>
@@ -97,7 +83,7 @@ void write_pgm16(const Path& path, int width, int height,
 }
 
 Pgm read_pgm(const Path& path) {
-    const std::string bytes = read_bytes(path);
+    const std::string bytes = read_bytes(path, pgm_remedy);
     std::size_t at = 2;
     const auto space = [&] { return at < bytes.size() && std::strchr(" \t\n\v\f\r", bytes[at]); };
     const auto number = [&](const char* name, int max) {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -173,8 +174,24 @@ void fail_to_make(const Path& folder, int error) {
          "name a place that can be written to");
 }
 
+void fail_to_read(const Path& path, std::string_view wrong, std::string_view remedy) {
+    fail("read", path, wrong, remedy);
+}
 void fail_to_read(const Path& path, std::string_view wrong) {
-    fail("read", path, wrong, "give a binary PGM (P5) of 8 or 16 bits");
+    fail_to_read(path, wrong, pgm_remedy);
+}
+
+std::string read_bytes(const Path& path, std::string_view remedy) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        fail_to_read(path, "there is no such file", remedy);
+    if (!std::filesystem::is_regular_file(path, error))
+        fail_to_read(path, "it is not a file", remedy);
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(std::filesystem::file_size(path, error), '\0');
+    if (error || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        fail_to_read(path, "it cannot be opened or read", remedy);
+    return bytes;
 }
 
 std::string why_not_read(const Path& path) {

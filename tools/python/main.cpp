@@ -77,6 +77,38 @@ py::object truth_of(const std::shared_ptr<const Rendered>& frame, std::size_t li
     return made;
 }
 
+// An array of two dimensions as doubles, and what its numbers were before.
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+NumberImage image_of(const std::string& name, const Doubles& array, int kind) {
+    NumberImage image;
+    image.name = name;
+    image.height = static_cast<int>(array.shape(0));
+    image.width = static_cast<int>(array.shape(1));
+    image.kind = static_cast<NumberKind>(kind);
+    const int bits = image.kind == NumberKind::u8 ? 8 : image.kind == NumberKind::u16 ? 16 : 32;
+    if (!is_real(image.kind))
+        image.max = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
+    image.values.assign(array.data(), array.data() + array.size());
+    return image;
+}
+
+template <class Value>
+py::array copied(const std::vector<Value>& values, int height, int width) {
+    return py::array_t<Value>({height, width}, values.data());
+}
+
+py::tuple shadow_of_arrays(const Captured& asked) {
+    Shadowed made;
+    {
+        const py::gil_scoped_release unlocked;
+        made = shadow_of(asked);
+    }
+    const NumberImage& observer = asked.capture.observer;
+    return py::make_tuple(made.report, copied(made.mask, observer.height, observer.width),
+                          copied(made.error, observer.height, observer.width),
+                          copied(made.spectrum, made.side, made.side));
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, m) {
@@ -91,8 +123,9 @@ PYBIND11_MODULE(_core, m) {
     m.def("read_file", read_file, unlocked);
     m.def("paper_scene", paper_scene);
     py::class_<Rendered, std::shared_ptr<Rendered>>(m, "Rendered");
-    m.def("draw", [](const SceneText& scene, const Overrides& set, bool truth) {
-        return std::const_pointer_cast<Rendered>(draw(scene, set, truth));
+    m.def("draw", [](const SceneText& scene, const Overrides& set, bool truth,
+                     int threads) {
+        return std::const_pointer_cast<Rendered>(draw(scene, set, truth, threads));
     }, unlocked);
     m.def("report", [](const std::shared_ptr<Rendered>& frame) { return report_of(*frame); },
           unlocked);
@@ -120,6 +153,33 @@ PYBIND11_MODULE(_core, m) {
                       const std::vector<std::string>& vary, bool quick, bool automatic, int jobs) {
         return study_rows({name, scene, vary, quick, automatic, jobs});
     }, unlocked);
+    py::class_<Captured>(m, "Captured")
+        .def(py::init())
+        .def_readwrite("least_bias", &Captured::least_bias)
+        .def_readwrite("truth_bright", &Captured::truth_bright)
+        .def("take", [](Captured& c, const std::string& name, const Doubles& array, int kind) {
+            const NumberImage image = image_of(name, array, kind);
+            if (name == "truth")
+                c.truth = image;
+            else
+                (name == "observer_depth" ? c.capture.observer : c.capture.light) = image;
+        })
+        .def("means", [](Captured& c, const captured::Matrix16& matrix, const std::string& format,
+                         const std::string& convention, const std::map<std::string, bool>& also) {
+            c.capture.matrix = matrix;
+            c.capture.matrix_name = "matrix";
+            c.capture.format = depth_format_of(format);
+            c.capture.convention = convention_of(convention);
+            captured::Convention& to = c.capture.convention;
+            const std::map<std::string, bool*> known{{"y_up", &to.y_up},
+                                                     {"z_from_minus_one", &to.z_from_minus_one},
+                                                     {"first_row_on_top", &to.first_row_on_top},
+                                                     {"row_vectors", &to.row_vectors}};
+            for (const auto& [name, value] : also) *known.at(name) = value;
+        })
+        .def("use", [](Captured& c, const Overrides& set) { c.capture.set = set; })
+        .def("trace", [](Captured& c, int x, int y) { c.pixel = Pixel{x, y}; });
+    m.def("shadow", shadow_of_arrays);
     m.def("studies", studies);
     m.def("settings", settings_table);
     m.def("figure_settings", figure_settings);

@@ -72,8 +72,9 @@ SceneText read_file(const std::string& path) {
 
 SceneText paper_scene() { return {std::string(study::paper_scene_text), "figures.toml"}; }
 
-std::shared_ptr<const Rendered> draw(const SceneText& scene, const Overrides& set, bool truth) {
-    return std::make_shared<Rendered>(load(scene, set), RenderOptions{truth, ""});
+std::shared_ptr<const Rendered> draw(const SceneText& scene, const Overrides& set, bool truth,
+                                     int threads) {
+    return std::make_shared<Rendered>(load(scene, set), RenderOptions{truth, "", threads});
 }
 
 std::string report_of(const Rendered& rendered) { return print(to_json(rendered)); }
@@ -135,6 +136,46 @@ std::string studies() {
     for (const auto& each : tools::study::studies())
         list.push_back({{"study", each->name()}, {"meaning", each->meaning()}});
     return print(list);
+}
+
+Shadowed shadow_of(const Captured& asked) {
+    const captured::CapturedFrame frame(asked.capture);
+    captured::Asked of;
+    of.least_bias = asked.least_bias;
+    of.pixel = asked.pixel;
+    if (asked.truth) {
+        const NumberImage &truth = *asked.truth, &observer = asked.capture.observer;
+        if (truth.width != observer.width || truth.height != observer.height)
+            throw SceneError(fmt::format("truth has {} x {} numbers, and the observer's buffer {} "
+                                         "x {}; give a mask of that size", truth.width,
+                                         truth.height, observer.width, observer.height));
+        of.truth = captured::darkness_of(truth, asked.truth_bright,
+                                         asked.capture.convention.first_row_on_top, frame.spec());
+    }
+    const captured::Answer answer(asked.capture, frame, of);
+    Shadowed shadowed{print(captured::to_json(answer)), captured::mask_picture(answer), {}, {}, 0};
+    shadowed.error = captured::cut(std::span<const double>(answer.judged.error_image),
+                                   frame.observer_sides(), frame.spec().size_px());
+    if (answer.judged.window) {
+        shadowed.side = answer.judged.window->side;
+        shadowed.spectrum = answer.judged.window->power;
+    }
+    return shadowed;
+}
+
+captured::Convention convention_of(const std::string& name) {
+    const captured::Convention* found = captured::find_convention(name);
+    if (found == nullptr)
+        throw SceneError(fmt::format("'{}' is no convention; give d3d, vulkan or opengl", name));
+    return *found;
+}
+
+captured::DepthFormat depth_format_of(const std::string& name) {
+    const captured::DepthFormat* found = captured::find_depth_format(name);
+    if (found == nullptr)
+        throw SceneError(fmt::format("'{}' is no depth format; give one of {}", name,
+                                     captured::names_of_depth_formats()));
+    return *found;
 }
 
 std::string settings_table() { return print(settings_json()); }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "tools/bias/map_options.hpp"
+#include "tools/captured/report.hpp"
 #include "tools/render/rendered.hpp"
 
 #include <memory>
@@ -23,7 +24,8 @@ SceneText paper_scene();
 
 using Overrides = std::vector<std::string>;  // "key=value", as --set takes them
 
-std::shared_ptr<const Rendered> draw(const SceneText&, const Overrides&, bool truth);
+std::shared_ptr<const Rendered> draw(const SceneText&, const Overrides&, bool truth,
+                                     int threads);
 std::string report_of(const Rendered&);
 
 // What a plane's words mean: of a Z code where near and far lie, and whether in perspective.
@@ -50,6 +52,25 @@ struct StudyRequest {
 };
 std::string study_rows(const StudyRequest&);  // an array of rows
 std::string studies();                        // an array of names and meanings
+
+// The shadow test on depth buffers captured elsewhere, as umbra78 shadow runs it. The arrays are of
+// the observer's buffer, row 0 at the top.
+struct Captured {
+    captured::Capture capture;
+    std::optional<NumberImage> truth;
+    bool truth_bright = false, least_bias = false;
+    std::optional<Pixel> pixel;
+};
+struct Shadowed {
+    std::string report;
+    std::vector<std::uint8_t> mask;
+    std::vector<double> error;     // 1 false shadow, -1 false light
+    std::vector<double> spectrum;  // side x side bins; none if there are too few errors
+    int side = 0;
+};
+Shadowed shadow_of(const Captured&);
+captured::Convention convention_of(const std::string& name);
+captured::DepthFormat depth_format_of(const std::string& name);
 
 std::string settings_table();
 std::string figure_settings(int figure);  // 1 .. 6

@@ -59,7 +59,7 @@ ProfileCost profile_cost(const LoadedScene& on_profile, std::string_view profile
 std::vector<ProfileCost> profile_costs(const LoadedScene& scene, int figure) {
     std::vector<ProfileCost> costs;
     LoadedScene on_profile = scene;
-    for (const shadow::Profile& p : shadow::profiles()) {
+    for (const shadow::Profile& p : shadow::profiles_of_1978()) {
         on_profile.settings = scene.settings;
         shadow::apply(p, on_profile.settings);
         costs.push_back(profile_cost(on_profile, p.name, figure));

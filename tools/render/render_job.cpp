@@ -24,7 +24,9 @@ double timed_ms(Stage stage) {
 
 }  // namespace
 
-RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings, Maps maps) {
+RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings, Maps maps,
+                     std::size_t workers)
+    : workers_(workers) {
     inputs_.shows_maps = maps == Maps::shown;
     load({scene, settings, {}}, nullptr);
     if (settings.machine.z_bits <= 16) {
@@ -40,10 +42,17 @@ void RenderJob::allocate() {
     patches_ = inputs_.scene.patches.size();
     layers_ = shadow::map_layers(settings());
     normals_ = shadow::reads_normals(settings());
-    const shadow::FrameShape shape(inputs_.scene, settings());
+    shadow::FrameShape shape(inputs_.scene, settings());
+    shape.workers = workers_;
     bytes_ = shadow::frame_bytes<Depth>(machine, patches_, shape);
     memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
-    frame_ = shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, shape);
+    auto& frame =
+        frame_.emplace<shadow::FrameBuffers<Depth>>(
+            shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, shape));
+    if (workers_ > 1) {
+        pool_ = std::make_unique<ThreadPool>(workers_);
+        frame.executor = pool_->executor();
+    }
     make_room(0);
 }
 

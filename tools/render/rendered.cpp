@@ -48,7 +48,9 @@ const char* no_truth_because(const LoadedScene& scene) {
 }
 
 Rendered::Rendered(LoadedScene loaded, const RenderOptions& options)
-    : scene(std::move(loaded)), job(scene.view(), scene.settings), patches(scene.patches.size()),
+    : scene(std::move(loaded)),
+      job(scene.view(), scene.settings, Maps::shown, workers_for(options.threads)),
+      patches(scene.patches.size()),
       triangles(scene.facets.size()) {
     if (scene.stream) {
         draw_stream();

@@ -17,6 +17,7 @@ namespace umbra78::tools {
 struct RenderOptions {
     bool truth = true;      // the errors against exact geometry
     std::string error_map;  // the file that it is for; "": none is made
+    int threads = 1;        // that draw the frame; 0: one for each processor
 };
 
 // Its job points into its scene, so it stays where it is made.

@@ -50,6 +50,12 @@ std::string why_not_built(const Settings& s, const Setting& setting) {
         return fmt::format("{} = {}", key, name(key, of.get(s)));
     };
     if (const shadow::Method* method = shadow::method_of(s)) {
+        if (!method->takes_floats && s.machine.depth_store != hw::DepthStore::fixed)
+            return fmt::format("{} with {} has depth_store = fixed alone", called("form"),
+                               called("arithmetic"));
+        if (s.machine.z_bits > method->max_z_bits)
+            return fmt::format("{} with {} has z_bits up to {}", called("form"),
+                               called("arithmetic"), method->max_z_bits);
         if (method->takes(s.receiver, s.lookup)) return std::string(setting.meaning);
         const bool normal = method->takes(shadow::Receiver::normal, s.lookup);
         return fmt::format("{} with {} has receiver = point{}",
@@ -146,8 +152,9 @@ std::string settings_help() {
     std::vector<std::string_view> names;
     for (const shadow::Profile& profile : shadow::profiles()) names.push_back(profile.name);
     line("profile", fmt::format("{}", fmt::join(names, ", ")),
-         "a machine of the time: sets its keys, and every key that another profile sets to its "
-         "default; a profile in --set comes after [settings], other keys of --set after it", "");
+         "a machine of the time, or (d16_unorm and on) a depth map of today: sets its keys, and "
+         "every key that another of its kind sets to its default; a profile in --set comes "
+         "after [settings], other keys of --set after it", "");
     for (const Setting& s : shadow::settings_table())
         line(s.key, fmt::format("{}{}{}", print_range(s), s.unit.empty() ? "" : " ", s.unit),
              s.meaning, fmt::format("default {}", print(s, default_of(s))));

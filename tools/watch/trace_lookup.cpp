@@ -77,7 +77,9 @@ void trace_place(TraceLog& log, const TracedPoint& p) {
     log.word("X", signed_word(l.x, bits, f), dithers ? "R_X + dither_X" : "R_X");
     log.word("Y", signed_word(l.y, bits, f), dithers ? "R_Y + dither_Y" : "R_Y");
     log.word("k", signed_word(l.code, m.z_bits + 2),
-             fmt::format("R_Z + {}: the code to compare", m.depth_offset()));
+             fmt::format("R_Z + {}: the code to compare{}", m.depth_offset(),
+                         m.depth_store == hw::DepthStore::fixed ? ""
+                                                                : ", the nearest that is kept"));
     if (l.outside) return say_outside(log, p);
     log.say(fmt::format("inside the light's volume: {} <= X, Y < {} and 0 <= k <= {}", -edge, edge,
                         m.deepest_drawn()));

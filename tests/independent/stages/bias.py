@@ -1,4 +1,5 @@
 """Bias that follows the surface (section 24)."""
+from .float_store import kept
 from .samples import z_code
 from .triangles import cross
 
@@ -78,4 +79,5 @@ class Layers:
     def midpoints(self):
         background = self.s.background_code
         two = [(sorted(codes) + [background] * 2)[:2] for codes in self.found]
-        return [(z1 + z2) >> 1 for z1, z2 in two]
+        return [background if z1 + z2 >> 1 == background else kept(z1 + z2 >> 1, self.s)
+                for z1, z2 in two]

@@ -1,6 +1,7 @@
 """Drawing: blocks to samples (section 7)."""
 from operator import add
 
+from .float_store import kept
 from .notation import half_up
 from .perspective import divide_corners
 
@@ -110,4 +111,4 @@ def samples(grids, s):
 def z_code(depth, s):
     """The code of a depth, or None for no sample."""
     code = s.round_depth(depth, 1 << s.depth_guard) + s.depth_offset
-    return min(code, s.deepest_drawn) if 0 <= code <= s.background_code else None
+    return kept(min(code, s.deepest_drawn), s) if 0 <= code <= s.background_code else None

@@ -1,4 +1,5 @@
 """The post-process and the correct form (sections 11 and 12)."""
+from .float_store import kept
 from .noise import tap_bytes
 from .notation import half_up, shift_down
 from .receiver import Receivers
@@ -67,6 +68,7 @@ class LightMap:
         edge = s.half_px * s.one_texel
         if not (-edge <= x < edge and -edge <= y < edge and 0 <= code <= s.deepest_drawn):
             return 0
+        code = kept(code, s)
         if s.lookup in ("percentage", "filtered_depth"):
             codes = self.taps(x, y, noise)
             if s.lookup == "percentage":

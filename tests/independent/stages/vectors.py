@@ -5,6 +5,7 @@ from . import blocks, perspective
 from .bias import Layers, moved_code, offset, slope
 from .dicing import EDGES, edge_level, normal, patch_level, vertex
 from .filters import darken, dequantize, low_pass
+from .float_store import float_bits, kept
 from .ground import Ground, ShadowView, ellipse, ellipse_patches
 from .noise import BYTES_A_WORD, amplitude, dither_word, noise_bits, taps_of_pixel
 from .receiver import (Plane, Receivers, Scale, cut_normal, gradient, in_light, leaning,
@@ -362,12 +363,18 @@ def normals(w):
     return [*slopes, Plane(at, slopes, None).change(*more)]
 
 
+def float_store(w):
+    n, store, code = int(w[0]), w[1], int(w[2])
+    found = kept(code, Settings(xy_bits=6, z_bits=n, depth_store=store))
+    return [found, float_bits((1 << n) - found if store == "float_reversed" else found, n)]
+
+
 STAGES = {"decimals": decimals, "sines": sines, "patches": patches, "views": views,
           "matrices": matrices, "ground": ground,
           "transform_unit": transform_unit, "corrections": corrections,
           "splits": splits, "block_rule": block_rule, "samples": samples, "shading": shading,
           "triangles": triangles, "dicing": dicing, "bias": bias,
-          "normals": normals, "noise": noise,
+          "normals": normals, "float_store": float_store, "noise": noise,
           "shadow_test": shadow_test, "windows": windows,
           "dequantize": dequantized, "low_pass": low_passed, "composite": composite}
 

@@ -141,7 +141,7 @@ TEST(CFace, ReadsSettingsAsASceneFileDoes) {
     EXPECT_EQ(value_of(made.scene, "lookup"), "bilinear");
     EXPECT_EQ(set("lookup", "linear"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("look", "bilinear"), UMBRA78_UNKNOWN_SETTING);
-    EXPECT_EQ(set("z_bits", "25"), UMBRA78_BAD_VALUE);
+    EXPECT_EQ(set("z_bits", "27"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("z_bits", "16.2"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("z_bits", "x"), UMBRA78_BAD_VALUE);
     EXPECT_EQ(set("multipliers", "3"), UMBRA78_CANNOT_BE_BUILT);
@@ -149,6 +149,10 @@ TEST(CFace, ReadsSettingsAsASceneFileDoes) {
     EXPECT_EQ(set("profile", "of tomorrow"), UMBRA78_BAD_VALUE);
     char one[1];
     EXPECT_EQ(umbra78_get(made.scene, "bias", one, 1), UMBRA78_MEMORY_TOO_SMALL);
+    char two[2];  // a digit and the zero byte fill it
+    EXPECT_EQ(umbra78_get(made.scene, "multipliers", two, 1), UMBRA78_MEMORY_TOO_SMALL);
+    EXPECT_EQ(umbra78_get(made.scene, "multipliers", two, 2), UMBRA78_OK);
+    EXPECT_STREQ(two, "4");
 
     std::size_t rows = 0;
     umbra78_setting row;

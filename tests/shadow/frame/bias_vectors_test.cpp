@@ -93,7 +93,7 @@ void add_midpoints(Inputs& in, Lines& lines) {
             sink.sample(raster::Sample{}, static_cast<std::uint32_t>(code), nullptr);
             line << code;
         }
-        shadow::take_midpoints<hw::Depth32>(second, first);
+        shadow::take_midpoints<hw::Depth32>(spec, second, first);
         lines.push_back((line << "->" << first[0]).text());
     }
 }

@@ -105,6 +105,30 @@ TEST(Culling, LeavesOutNoTestOfPointsThatAreMoved) {
     EXPECT_EQ(sweep.left_out, 0);
 }
 
+// A lamp that stands over the receiver and looks along it: behind the lamp there is no quotient,
+// and nothing is left out on its account. The caster is too near to be seen.
+TEST(Culling, LeavesOutNoTestOfPointsBehindALamp) {
+    PlannedScene p;
+    p.name = "behind a lamp";
+    p.settings.machine.xy_bits = 5;
+    p.observer = cube(0, 2 * unit);
+    p.observer.near_depth = -unit / 2;
+    p.observer.far_depth = unit / 2;
+    p.light = cube(90, 2 * unit);
+    p.light.projection = raster::Projection::perspective;
+    p.light.target = {-unit, 0, unit};
+    p.light.distance = 2 * unit;  // the eye at x = 1, z = 1
+    p.light.near_depth = unit / 16;
+    p.patches.push_back(raster::plane_patch(
+        {{-3 * unit / 2, -unit, 0}, {3 * unit, 0, 0}, {0, 2 * unit, 0}, 0}));
+    p.patches.push_back(raster::plane_patch(
+        {{0, -unit, 3 * unit / 4}, {3 * unit / 4, 0, 0}, {0, 2 * unit, 0}, 0}));
+    Sweep sweep;
+    sweep.draw(p);
+    EXPECT_EQ(sweep.dark, 1);
+    EXPECT_EQ(sweep.left_out, 0);
+}
+
 // Observer and light look the same way, and the light's picture begins beside the receiver, `gap`
 // of the observer's eighth pixels away. The caster is too near to be seen.
 PlannedScene receiver_beside_the_light(int gap, bool above) {

@@ -48,8 +48,9 @@ struct Frame {
     Frame(const hw::MachineSpec& spec, std::size_t patches, const FrameShape& shape = {})
         : memory(frame_bytes<Depth>(spec, patches, shape)),
           buffers(carve<Depth>(memory.span(), spec, patches, shape)) {}
-    Frame(const Scene& scene, const Settings& settings)
-        : Frame(settings.machine, scene.patches.size(), FrameShape(scene, settings)) {
+    explicit Frame(const Scene& scene, const Settings& settings, const Executor& executor = {})
+        : Frame(settings.machine, scene.patches.size(), shape_of(scene, settings, executor)) {
+        buffers.executor = executor;
         draw(scene, settings);
     }
     FrameStatus draw(const Scene& scene, const Settings& settings) {
@@ -59,6 +60,13 @@ struct Frame {
             buffers.method_memory = method_memory.span();
         }
         return status = render(scene, settings, buffers, matrices, counts);
+    }
+
+    static FrameShape shape_of(const Scene& scene, const Settings& settings,
+                               const Executor& executor) {
+        FrameShape shape(scene, settings);
+        shape.workers = executor.workers;
+        return shape;
     }
 
     Memory memory, method_memory{0};

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -92,7 +93,14 @@ int expect_mask(const GroundScene& scene, const Dark& expected) {
             if (value != wanted) return -1;
             dark += value == 255;
         }
-    EXPECT_EQ(f.counts.lights[0].post_process.shadowed, static_cast<std::uint64_t>(dark));
+    const PostProcessCounts& counted = f.counts.lights[0].post_process;
+    EXPECT_EQ(counted.shadowed, static_cast<std::uint64_t>(dark));
+    const auto& depth = f.buffers.observer.depth;
+    const auto none = std::count(depth.begin(), depth.end(), s.machine.background());
+    if (counted.visible != 0) {  // nothing is counted where the plan leaves the shadow out
+        EXPECT_EQ(counted.visible, depth.size() - static_cast<std::size_t>(none));
+    }
+    EXPECT_LE(counted.shadowed, counted.visible);
     return dark;
 }
 

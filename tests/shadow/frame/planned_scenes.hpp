@@ -286,10 +286,12 @@ inline PlannedScene planned_scene(std::string_view name) {
 // A planned scene's inputs, and memory to draw it in. The scene must outlive it.
 struct PlannedFrame {
     // `normals`: with room for them, whether the scene keeps them or not.
-    explicit PlannedFrame(const PlannedScene& planned, bool normals = false)
+    explicit PlannedFrame(const PlannedScene& planned, bool normals = false,
+                          const Executor& executor = {})
         : frame(planned.settings.machine, planned.patches.size(),
-                shape(planned.settings, normals)),
+                shape(planned.settings, normals, executor)),
           inputs{planned.scene(), planned.settings, {}} {
+        frame.buffers.executor = executor;
         EXPECT_EQ(load_matrices(inputs.scene, inputs.settings, inputs.matrices),
                   FrameStatus::ok)
             << planned.name;
@@ -314,8 +316,11 @@ struct PlannedFrame {
         std::array<std::byte, frame_alignment> bytes;
     };
 
-    static FrameShape shape(const Settings& settings, bool normals) {
+    static FrameShape shape(const Settings& settings, bool normals,
+                            const Executor& executor = {}) {
         FrameShape s(map_layers(settings) == 0 ? 0 : 2);
+        s.workers = executor.workers;
+        s.worker_stores = true;
         s.normals = normals || reads_normals(settings);
         return s;
     }

@@ -21,7 +21,7 @@ TEST(FrameDeathTest, MemoryThatDoesNotFit) {
     for (const std::size_t off : {1, 8, 32, 63}) EXPECT_DEATH(carved(off, bytes, spec), "") << off;
     EXPECT_DEATH(carved(0, bytes - 1, spec), "");
     EXPECT_DEATH(carved(0, bytes, {.xy_bits = 3}), "");
-    EXPECT_DEATH(carved(0, bytes, {.xy_bits = 5, .z_bits = 25}), "");
+    EXPECT_DEATH(carved(0, bytes, {.xy_bits = 5, .z_bits = 27}), "");
 }
 
 // Frames of 32 x 32 pixels, asked for the stages of others.

@@ -36,7 +36,15 @@ TEST(Profiles, SetTheseValues) {
         {"perspective24",
          {{"coefficient_bits", 24}, {"multipliers", 4}, {"clock_ns", 200}, {"divider", 0}}},
         {"ap120b", {{"arithmetic", 1}, {"clock_ns", 167}, {"array_memory", 0}}},
-        {"ap120b_fast", {{"arithmetic", 1}, {"clock_ns", 167}, {"array_memory", 1}}}};
+        {"ap120b_fast", {{"arithmetic", 1}, {"clock_ns", 167}, {"array_memory", 1}}},
+        {"d16_unorm", {{"xy_bits", 11}, {"z_bits", 16}, {"coefficient_bits", 24}}},
+        {"d24", {{"xy_bits", 11}, {"z_bits", 24}, {"coefficient_bits", 24}}},
+        {"d32f",
+         {{"xy_bits", 11}, {"z_bits", 26}, {"depth_store", 1}, {"coefficient_bits", 24}}},
+        {"d32f_reversed",
+         {{"xy_bits", 11}, {"z_bits", 26}, {"depth_store", 2}, {"coefficient_bits", 24}}}};
+    const auto kind_of = [](std::string_view name) { return find_profile(name)->kind; };
+    EXPECT_EQ(profiles_of_1978().size(), 6u);
     EXPECT_EQ(profiles().size(), expected.size());
     for (const Profile& p : profiles()) {
         const auto found = expected.find(p.name);
@@ -44,6 +52,8 @@ TEST(Profiles, SetTheseValues) {
         // From values that no profile gives, so that each has to be set.
         Settings s;
         s.machine.coefficient_bits = 20;
+        s.machine.xy_bits = 8;
+        s.machine.z_bits = 15;
         s.machine.multipliers = p.name == "affine16x16" ? 4 : 16;
         s.timing.clock_ns = 300;
         s.timing.divider = p.name == "affine16x16" ? hw::Divider::serial : hw::Divider::pipelined;
@@ -59,8 +69,10 @@ TEST(Profiles, SetTheseValues) {
             const auto value = found->second.find(row.key);
             const bool of_another =
                 std::any_of(expected.begin(), expected.end(),
-                            [&](const auto& e) { return e.second.contains(row.key); });
-            EXPECT_EQ(of_another, is_set_by_profiles(row.key)) << row.key;
+                            [&](const auto& e) {
+                                return kind_of(e.first) == p.kind && e.second.contains(row.key);
+                            });
+            EXPECT_EQ(of_another, is_set_by_profiles(row.key, p.kind)) << row.key;
             EXPECT_EQ(row.get(s), value != found->second.end() ? value->second
                                   : of_another                 ? row.get(Settings{})
                                                                : row.get(before))
@@ -70,10 +82,11 @@ TEST(Profiles, SetTheseValues) {
     }
 }
 
-// Whatever profile was there before, nothing of it is left.
+// Whatever profile of its kind was there before, nothing of it is left.
 TEST(Profiles, ReplaceOneAnother) {
     for (const Profile& before : profiles())
         for (const Profile& p : profiles()) {
+            if (before.kind != p.kind) continue;
             Settings alone, after;
             apply(p, alone);
             apply(before, after);

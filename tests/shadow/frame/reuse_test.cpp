@@ -75,6 +75,7 @@ using Expected = std::map<std::string_view, std::string>;
 const Expected post_process_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "LDO"},
     {"transform_rounding", ""}, {"coefficient_rounding", "DO"}, {"depth_rounding", ""},
+    {"depth_store", ""},
     {"surface", ""}, {"sampling", ""}, {"registration", "LDO"}, {"lookup", "LDO"},
     {"background", "LDO"}, {"bias", "LDO"}, {"bias_unit", "LDO"}, {"dither", "LDO"},
     {"map_depth", "DO"}, {"bias_slope", "DO"}, {"receiver", "LDO"},
@@ -85,6 +86,7 @@ const Expected post_process_form{
 const Expected correct_form{
     {"xy_bits", ""}, {"z_bits", ""}, {"coefficient_bits", ""}, {"fraction_bits", "L"},
     {"transform_rounding", ""}, {"coefficient_rounding", ""}, {"depth_rounding", ""},
+    {"depth_store", ""},
     {"surface", ""}, {"sampling", ""}, {"registration", "L"}, {"lookup", "L"}, {"background", "L"},
     {"map_depth", ""}, {"bias_slope", ""},
     {"bias", "L"}, {"bias_unit", "LD"},  // 192 texels: nothing is tested any more
@@ -129,7 +131,8 @@ TEST(Reuse, EachSettingInTurnOfTheCorrectForm) {
 TEST(Reuse, EachSettingInTurnOfAGround) {
     Expected expected;
     for (const char* key : {"xy_bits", "z_bits", "coefficient_bits", "transform_rounding",
-                            "coefficient_rounding", "depth_rounding", "surface", "sampling",
+                            "coefficient_rounding", "depth_rounding", "depth_store",
+                            "surface", "sampling",
                             "ambient", "shading"})
         expected[key] = "";
     for (const char* key : {"dequantize", "low_pass", "composite", "density"})

@@ -39,15 +39,16 @@ auto members(const Settings& s) {
                  normal_offset_q8, slope_source] = static_cast<const ShadowTest&>(s);
     const auto& [xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                  max_accumulator_bits, product_rounding, transform_rounding, coefficient_rounding,
-                 depth_rounding, divide_order] = machine;
+                 depth_rounding, depth_store, divide_order] = machine;
     const auto& [shape, size_q8, seed] = dither;
     const auto& [clock_ns, multiply_ns, add_ns, register_ns, divider, noise_bits, light_banks,
                  dram] = s.timing;
     const auto& [access_ns, cycle_ns, column_ns, page_ns, rows, video] = dram;
     return std::make_tuple(xy_bits, z_bits, coefficient_bits, fraction_bits, multipliers,
                            max_accumulator_bits, product_rounding, transform_rounding,
-                           coefficient_rounding, depth_rounding, divide_order, s.surface,
-                           s.dice_levels, s.facing, s.sampling, registration, lookup, background,
+                           coefficient_rounding, depth_rounding, depth_store, divide_order,
+                           s.surface, s.dice_levels, s.facing, s.sampling, registration, lookup,
+                           background,
                            taps, tap_places, s.bias_q16, s.bias_unit, s.map_depth, s.bias_slope_q8,
                            s.bias_clamp_q16, receiver, normal_offset_q8, slope_source, shape,
                            size_q8, seed, s.dequantize_passes, s.low_pass_passes, s.ambient_q8,
@@ -140,6 +141,7 @@ TEST(SettingsTable, DefaultsAreThese) {
         {"multipliers", 4},     {"transform_rounding", 3},
         {"accumulator_bits", 64}, {"product_rounding", 0},
         {"coefficient_rounding", 6}, {"depth_rounding", 3},
+        {"depth_store", 0},
         {"divide_order", 0},    {"sampling", 1},
         {"surface", 0},         {"dice_levels", 3},
         {"facing", 0},          {"registration", 0}, {"lookup", 0},
@@ -189,6 +191,9 @@ TEST(SettingsTable, NamesAreTheEnumerators) {
         all.push_back(named(key, "half_away", Rounding::half_away));
         all.push_back(named(key, "half_even", Rounding::half_even));
     }
+    all.push_back(named("depth_store", "fixed", hw::DepthStore::fixed));
+    all.push_back(named("depth_store", "float", hw::DepthStore::of_floats));
+    all.push_back(named("depth_store", "float_reversed", hw::DepthStore::of_reversed_floats));
     all.push_back(named("divide_order", "exact", hw::DivideOrder::exact));
     all.push_back(named("divide_order", "round_first", hw::DivideOrder::round_first));
     all.push_back(named("surface", "catmull", raster::PatchForm::catmull));
@@ -315,7 +320,7 @@ TEST(SettingsTable, RangesAreThese) {
     constexpr std::int64_t one = 1;
     const std::map<std::string_view, Range> expected{
         {"xy_bits", {4, 12}},
-        {"z_bits", {4, 24}},
+        {"z_bits", {4, 26}},
         {"coefficient_bits", {8, 32}},
         {"fraction_bits", {0, 12}},
         {"multipliers", {1, 16}},
@@ -324,6 +329,7 @@ TEST(SettingsTable, RangesAreThese) {
         {"transform_rounding", {0, 6}},
         {"coefficient_rounding", {0, 6}},
         {"depth_rounding", {0, 6}},
+        {"depth_store", {0, 2}},
         {"divide_order", {0, 1}},
         {"surface", {0, 1}},
         {"dice_levels", {0, 5}},

@@ -8,6 +8,7 @@
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/frame/variant_scenes.hpp"
 #include "tests/support/machine_text.hpp"
+#include "tests/support/workers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -123,10 +124,11 @@ std::string buffer_hash(const test::Frame<Depth>& f, const Scene& scene, const s
 }
 
 template <class Depth>
-void expect_variant(const std::vector<std::string>& row, const Settings& settings) {
+void expect_variant(const std::vector<std::string>& row, const Settings& settings,
+                    const Executor& executor) {
     const test::VariantScene made(row[1]);
     const Scene scene = made.scene(row[2], row[3]);
-    const test::Frame<Depth> f(scene, settings);
+    const test::Frame<Depth> f(scene, settings, executor);
     ASSERT_EQ(f.status, FrameStatus::ok);
     for (const raster::DrawCounts& c : {f.counts.lights[0].map, f.counts.observer})
         EXPECT_EQ(c.unresolved + c.unresolved_facets, 0u);
@@ -149,15 +151,22 @@ std::vector<Variant> variants() {
 
 class Variants : public ::testing::TestWithParam<Variant> {};
 
-TEST_P(Variants, HaveTheirPublishedHashes) {
-    const std::vector<std::string>& row = GetParam().row;
+void expect_variant(const std::vector<std::string>& row, const Executor& executor) {
     ASSERT_EQ(row.size(), 6u);
     const Settings settings = variant_settings(row[4]);
     if (settings.machine.z_bits <= 16) {
-        expect_variant<hw::Depth16>(row, settings);
+        expect_variant<hw::Depth16>(row, settings, executor);
     } else {
-        expect_variant<hw::Depth32>(row, settings);
+        expect_variant<hw::Depth32>(row, settings, executor);
     }
+}
+
+TEST_P(Variants, HaveTheirPublishedHashes) { expect_variant(GetParam().row, {}); }
+
+TEST_P(Variants, HaveThemFromManyWorkers) {
+    umbra78::test::Shuffled workers(5);
+    expect_variant(GetParam().row, workers.executor());
+    EXPECT_GT(workers.parts(), 20u) << "the work is shared";
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheDocument, Variants, ::testing::ValuesIn(variants()),

@@ -106,15 +106,12 @@ private:
     std::vector<std::uint32_t> shown_;
 };
 
-// A random scene on a grid so coarse that pixels' centres, vertices, edges and planes coincide
-// often: 8 x 8 pixels, up to eight facets and boxes, an eye and a light at a place or at infinity.
-inline Polygons random_polygons(std::uint32_t seed) {
-    std::mt19937 random(seed);
-    const auto in = [&](int from, int to) {  // std::uniform_int_distribution differs by library
-        return from + static_cast<int>(random() % static_cast<std::uint32_t>(to - from + 1));
-    };
+// A scene on a grid so coarse that pixels' centres, vertices, edges and planes coincide often:
+// 8 x 8 pixels, up to eight facets and boxes, an eye and a light at a place or at infinity.
+// `in(from, to)` chooses.
+template <class In>
+Polygons chosen_polygons(In&& in) {
     Polygons p;
-    p.name = "random " + std::to_string(seed);
     p.xy_bits = 3;
     p.fraction = in(1, 2);
     // Vertices at pixels' centres in half of the scenes, with depths and lights of few values.
@@ -145,6 +142,16 @@ inline Polygons random_polygons(std::uint32_t seed) {
             p.triangle(a, b, c);
         }
     }
+    return p;
+}
+
+inline Polygons random_polygons(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    Polygons p = chosen_polygons([&random](int from, int to) {
+        // std::uniform_int_distribution differs by library
+        return from + static_cast<int>(random() % static_cast<std::uint32_t>(to - from + 1));
+    });
+    p.name = "random " + std::to_string(seed);
     return p;
 }
 

@@ -16,9 +16,6 @@ namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 using test::Ran;
 
-const std::string figures_scene = UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml";
-const std::string lamp_scene = UMBRA78_SOURCE_DIR "/tools/scenes/lamp.toml";
-
 class Animate : public test::Program {
 protected:
     json animate(const std::string& arguments) const {
@@ -81,7 +78,8 @@ TEST_F(Animate, KeepsWhatStandsStill) {
     };
     EXPECT_EQ(kept(figures_scene + " --frames 2 --light -100:80 --out a"), json{"same_depth"});
     EXPECT_EQ(kept(figures_scene + " --frames 2 --observer 0:9 --out b"), json{"same_light_map"});
-    EXPECT_EQ(kept(lamp_scene + " --frames 2 --observer 25:60 --out c"), json{"same_light_map"});
+    EXPECT_EQ(kept(scenes + "lamp.toml --frames 2 --observer 25:60 --out c"),
+              json{"same_light_map"});
     EXPECT_EQ(kept(figures_scene + " --frames 2 --observer 0:9 --light 0:9 --out d"),
               json::array());
     const json still = animate(figures_scene + " --frames 2 --light 0:0 --out e");
@@ -188,8 +186,8 @@ TEST_F(Animate, AFailureIsOneLine) {
     const struct {
         std::string arguments, message;
     } cases[] = {
-        {lamp_scene + " --frames 2 --light 0:9",
-         "--light 0:9: the light of " + lamp_scene + " is given by its position and has no "
+        {scenes + "lamp.toml --frames 2 --light 0:9",
+         "--light 0:9: the light of " + scenes + "lamp.toml is given by its position and has no "
          "azimuth; move the observer, or give the light kind = \"directional\""},
         {figures_scene + " --frames 2", "nothing moves; give --light A:B, --observer A:B or both"},
         {figures_scene + " --frames 2 --light 5",

@@ -13,8 +13,6 @@ using json = nlohmann::ordered_json;
 using test::Program;
 using test::Ran;
 
-const std::string ground_scene = UMBRA78_SOURCE_DIR "/tools/scenes/ground.toml";
-
 json report_of(const Ran& ran) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(ran.err, "");
@@ -25,8 +23,8 @@ TEST_F(Program, RenderOnAGroundIsRightThereAndNowhereElse) {
     // The scene's ring is made of free patches, whose truth is Embree's.
     if (!traces_patches()) GTEST_SKIP() << "built without Embree (libembree-dev)";
     const json flat =
-        report_of(run("render " + ground_scene + " --set form=ground --out a.png --json"));
-    const json map = report_of(run("render " + ground_scene + " --out b.png --json"));
+        report_of(run("render " + scenes + "ground.toml --set form=ground --out a.png --json"));
+    const json map = report_of(run("render " + scenes + "ground.toml --out b.png --json"));
     const auto rate = [](const json& report, const char* of, const char* key) {
         return report.at(of).at(key).get<double>();
     };
@@ -44,7 +42,7 @@ TEST_F(Program, RenderOnAGroundIsRightThereAndNowhereElse) {
 }
 
 TEST_F(Program, PlanOfAGround) {
-    const json report = report_of(run("plan " + ground_scene + " --set form=ground --json"));
+    const json report = report_of(run("plan " + scenes + "ground.toml --set form=ground --json"));
     std::uint64_t saved = 0, cycles = 0;
     for (const json& row : report["omissions"]) {
         saved += row["saved_cycles"].get<std::uint64_t>();
@@ -57,18 +55,18 @@ TEST_F(Program, PlanOfAGround) {
     EXPECT_EQ(report["cycles_of_everything"], cycles + saved);
     EXPECT_EQ(report["stages"][2]["transform"], 0);
     EXPECT_GT(report["stages"][2]["operations"], 0);
-    const Ran text = run("plan " + ground_scene + " --set form=ground");
+    const Ran text = run("plan " + scenes + "ground.toml --set form=ground");
     EXPECT_NE(text.out.find("shadow, flat "), text.out.npos);
     EXPECT_EQ(text.out.find("light's view"), text.out.npos) << text.out;
 }
 
 TEST_F(Program, CyclesAndTraceOfAGround) {
-    const Ran ran = run("cycles " + ground_scene + " --set form=ground");
+    const Ran ran = run("cycles " + scenes + "ground.toml --set form=ground");
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_NE(ran.out.find("shadow, flat "), ran.out.npos);
     EXPECT_EQ(ran.out.find("latency"), ran.out.npos);
     EXPECT_EQ(ran.out.find("see below"), ran.out.npos);
-    const Ran trace = run("trace " + ground_scene + " --set form=ground --pixel 80,80");
+    const Ran trace = run("trace " + scenes + "ground.toml --set form=ground --pixel 80,80");
     EXPECT_EQ(trace.exit_code, 1);
     EXPECT_EQ(trace.err, "umbra78: a shadow on the ground is drawn, and no pixel is tested; give "
                          "--set form=post_process\n");

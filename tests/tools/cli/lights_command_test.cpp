@@ -11,11 +11,11 @@ using json = nlohmann::ordered_json;
 using test::Program;
 using test::Ran;
 
-const std::string scenes = UMBRA78_SOURCE_DIR "/tools/scenes/";
-const std::string small = " --set xy_bits=6 --set z_bits=13 ";
+const std::string lights_small = " --set xy_bits=6 --set z_bits=13 ";
 
 TEST_F(Program, RenderReportsEachLight) {
-    const Ran ran = run("render " + scenes + "three_lights.toml" + small + "--json --out a.png");
+    const Ran ran = run("render " + scenes + "three_lights.toml" + lights_small +
+                        "--json --out a.png");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     const json report = parse_json(ran.out);
     for (const char* buffer : {"light_z3", "mask2", "filtered3", "direct2_green", "picture_blue"})
@@ -35,7 +35,7 @@ TEST_F(Program, RenderReportsEachLight) {
 }
 
 TEST_F(Program, RenderOfAnAreaHasItsMapsAndItsPenumbra) {
-    const Ran ran = run("render " + scenes + "penumbra.toml" + small +
+    const Ran ran = run("render " + scenes + "penumbra.toml" + lights_small +
                         "--set light.samples=3 --json --out a.png");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     const json report = parse_json(ran.out);
@@ -49,7 +49,7 @@ TEST_F(Program, RenderOfAnAreaHasItsMapsAndItsPenumbra) {
 TEST_F(Program, CyclesOfARampHaveItsPhase) {
     std::vector<std::string> names;
     std::uint64_t cycles = 0;
-    const Ran ran = run("cycles " + scenes + "figures.toml" + small + "--set light.ramp=4 --json");
+    const Ran ran = run("cycles " + figures_scene + lights_small + "--set light.ramp=4 --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     const json report = parse_json(ran.out);
     for (const json& phase : report["ledger"]["phases"]) {
@@ -87,7 +87,7 @@ TEST_F(Program, SectorsHaveSixMapsAndOneMask) {
 }
 
 TEST_F(Program, PlanGivesTheReasonOfEachLight) {
-    const Ran ran = run("plan " + scenes + "three_lights.toml" + small +
+    const Ran ran = run("plan " + scenes + "three_lights.toml" + lights_small +
                         "--set light2.target=[0,300,0] --set light2.extent=2 --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     std::vector<std::string> left_out, needed;

@@ -14,8 +14,6 @@ using json = nlohmann::ordered_json;
 using test::Program;
 using test::Ran;
 
-const std::string scenes = UMBRA78_SOURCE_DIR "/tools/scenes/";
-
 const json& omission(const json& report, const std::string& key) {
     for (const json& row : report["omissions"])
         if (row["omission"] == key) return row;

@@ -16,19 +16,17 @@ using json = nlohmann::ordered_json;
 using test::Program;
 using test::Ran;
 
-const std::string figures_scene_file = UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml";
-
 TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
     const struct {
         const char *arguments, *message;
     } cases[] = {
         {"", "A subcommand is required; see umbra78 --help"},
         {"frobnicate", "unknown argument 'frobnicate'; known here: figures, render, plan, "
-                       "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                       "animate, cycles, trace, bands, bias, shadow, study, model, pack, settings, "
                        "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figurs", "unknown argument 'figurs'; did you mean 'figures'?; see umbra78 --help"},
         {"--verbose", "unknown argument '--verbose'; known here: figures, render, plan, "
-                      "animate, cycles, trace, bands, bias, study, model, pack, settings, "
+                      "animate, cycles, trace, bands, bias, shadow, study, model, pack, settings, "
                       "--help, --version, --manual, --completion; see umbra78 --help"},
         {"figures --chek", "unknown argument '--chek'; did you mean '--check'?; see umbra78 "
                            "figures --help"},
@@ -175,7 +173,7 @@ TEST_F(Program, StudyListsItselfAsJsonToo) {
 
 TEST_F(Program, RenderWritesThePictureAndTheBuffers) {
     const Ran ran =
-        run("render --set density=0.85 " + figures_scene_file + " --out a.png --buffers b --json");
+        run("render --set density=0.85 " + figures_scene + " --out a.png --buffers b --json");
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(ran.err, "");
     const json report = parse_json(ran.out);
@@ -239,7 +237,7 @@ TEST_F(Program, HelpHasTheRangesOfTheManual) {
         const char *key, *range;
     } expected[] = {
         {"xy_bits", "4 .. 12 bits; default 9"},
-        {"z_bits", "4 .. 24 bits; default 16"},
+        {"z_bits", "4 .. 26 bits; default 16"},
         {"coefficient_bits", "8 .. 32 bits; default 16"},
         {"fraction_bits", "0 .. 12 bits; default 7"},
         {"multipliers", "1 .. 16 multipliers; default 4"},
@@ -294,24 +292,23 @@ TEST_F(Program, SettingsListsTheWholeTable) {
 }
 
 TEST_F(Program, CyclesOfASceneAndOfEveryProfile) {
-    const std::string scene = std::string(UMBRA78_SOURCE_DIR) + "/tools/scenes/figures.toml";
-    const json one = parse_json(run("cycles " + scene + " --json").out)["ledger"];
+    const json one = parse_json(run("cycles " + figures_scene + " --json").out)["ledger"];
     EXPECT_EQ(one["transformation"]["cycles"], 580249);
     EXPECT_EQ(one["transformation"]["bottleneck"], "fetch");
     EXPECT_EQ(one["phases"].size(), 5u);
     const json single =
-        parse_json(run("cycles " + scene + " --profile affine16x1 --json").out)["ledger"];
+        parse_json(run("cycles " + figures_scene + " --profile affine16x1 --json").out)["ledger"];
     EXPECT_EQ(single["transformation"]["bottleneck"], "multiply");
     EXPECT_GT(single["frame_cycles"]["side_by_side"], one["frame_cycles"]["side_by_side"]);
-    const json all = parse_json(run("cycles " + scene + " --all --json").out)["profiles"];
-    EXPECT_EQ(all.size(), shadow::profiles().size());
-    EXPECT_NE(run("cycles " + scene).out.find("roughly twice"), std::string::npos);
-    const auto both = run("cycles " + scene + " --all --profile affine16");
+    const json all = parse_json(run("cycles " + figures_scene + " --all --json").out)["profiles"];
+    EXPECT_EQ(all.size(), shadow::profiles_of_1978().size());
+    EXPECT_NE(run("cycles " + figures_scene).out.find("roughly twice"), std::string::npos);
+    const auto both = run("cycles " + figures_scene + " --all --profile affine16");
     EXPECT_EQ(both.exit_code, 2);
 }
 
 TEST_F(Program, TracePrintsAPixelsWords) {
-    const std::string pixel = "trace " + figures_scene_file + " --pixel 115,180 ";
+    const std::string pixel = "trace " + figures_scene + " --pixel 115,180 ";
     const Ran ran = run(pixel + "--vcd a.vcd --cycles 20 --waterfall");
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_NE(ran.out.find(": pixel (115, 180): in shadow, cycles "), std::string::npos);
@@ -321,7 +318,7 @@ TEST_F(Program, TracePrintsAPixelsWords) {
     EXPECT_EQ(files(), (std::vector<std::string>{"a.vcd"}));
     const json words = parse_json(run(pixel + "--json").out)["words"];
     EXPECT_GT(words.size(), 80u);
-    const Ran outside = run("trace " + figures_scene_file + " --pixel 0,512");
+    const Ran outside = run("trace " + figures_scene + " --pixel 0,512");
     EXPECT_EQ(outside.exit_code, 1);
     EXPECT_EQ(outside.err, "umbra78: pixel 0,512 is not in the frame of 512 x 512 pixels; give x "
                            "and y of 0 .. 511\n");

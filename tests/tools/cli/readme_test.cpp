@@ -57,9 +57,9 @@ TEST_F(Documents, ShowWhatTheProgramPrints) {
     for (const char* name : {"README.md", "hw/README.md"}) {
         for (const Shown& shown : shown_in(content(source + name))) {
             std::string arguments = shown.arguments;
-            const std::string scenes = "tools/scenes/";
-            for (std::size_t at = 0; (at = arguments.find(scenes, at)) != std::string::npos;
-                 at += source.size() + scenes.size())
+            const std::string relative = "tools/scenes/";
+            for (std::size_t at = 0; (at = arguments.find(relative, at)) != std::string::npos;
+                 at += source.size() + relative.size())
                 arguments.insert(at, source);
             const Ran ran = run(arguments);
             EXPECT_EQ(ran.exit_code, 0) << ran.err;

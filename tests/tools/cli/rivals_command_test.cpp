@@ -13,7 +13,6 @@ using json = nlohmann::ordered_json;
 using test::Program;
 using test::Ran;
 
-const std::string rivals_scenes = UMBRA78_SOURCE_DIR "/tools/scenes/";
 const std::string rivals_small = " --set xy_bits=6 ";
 
 TEST_F(Program, RendersOfRivalsHaveOneMask) {
@@ -22,7 +21,7 @@ TEST_F(Program, RendersOfRivalsHaveOneMask) {
          {"brute", "volumes", "ordered_volumes", "stencil_pass", "stencil_fail",
           "bouknight_kelley", "appel", "splitting", "perimeters", "atherton",
           "irregular"}) {
-        const Ran ran = run("render " + rivals_scenes + "figures.toml" + rivals_small +
+        const Ran ran = run("render " + scenes + "figures.toml" + rivals_small +
                             "--set form=" + form + " --out a.png --json");
         ASSERT_EQ(ran.exit_code, 0) << ran.err;
         const json report = parse_json(ran.out);
@@ -38,7 +37,7 @@ TEST_F(Program, RendersOfRivalsHaveOneMask) {
 
 TEST_F(Program, PlanAndCyclesOfARival) {
     const std::string scene =
-        rivals_scenes + "figures.toml" + rivals_small + "--set form=volumes";
+        scenes + "figures.toml" + rivals_small + "--set form=volumes";
     const Ran plan = run("plan " + scene);
     EXPECT_EQ(plan.exit_code, 0) << plan.err;
     EXPECT_NE(plan.out.find("the method keeps no depth map"), plan.out.npos);
@@ -60,7 +59,7 @@ TEST_F(Program, PlanAndCyclesOfARival) {
 
 // What is told of a pixel is what its mask says, and the sides add up to the facets.
 TEST_F(Program, TraceOfARivalSaysWhatDecided) {
-    const std::string scene = rivals_scenes + "figures.toml" + rivals_small + "--set form=volumes";
+    const std::string scene = scenes + "figures.toml" + rivals_small + "--set form=volumes";
     std::set<std::string> states;
     for (const char* pixel : {"0,0", "7,22", "50,40", "39,13", "38,16", "44,13", "40,40"}) {
         const Ran ran = run("trace " + scene + " --pixel " + pixel + " --json");
@@ -82,7 +81,7 @@ TEST_F(Program, TraceOfARivalSaysWhatDecided) {
 }
 
 TEST_F(Program, ARivalRefusesInALine) {
-    const Ran sectors = run("render " + rivals_scenes + "sectors.toml --set form=volumes");
+    const Ran sectors = run("render " + scenes + "sectors.toml --set form=volumes");
     EXPECT_EQ(sectors.exit_code, 1);
     EXPECT_NE(sectors.err.find("kind = \"point\""), sectors.err.npos) << sectors.err;
     write("wide.toml", "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"

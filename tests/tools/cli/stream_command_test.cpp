@@ -18,7 +18,6 @@ const std::string solids = "[[material]]\nname = \"matte\"\nspecular = 0\n"
                            "[[sphere]]\ncentre = [1, 1, 0]\nradius = 1\nmaterial = \"matte\"\n"
                            "[[triangle]]\na = [-3, 0, 3]\nb = [3, 0, 3]\nc = [0, 0, -4]\n";
 const std::string stream = "[stream]\nfile = \"a.u78p\"\n";
-const std::string hills = UMBRA78_SOURCE_DIR "/tools/scenes/hills.toml";
 
 json rendered(const Ran& ran) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
@@ -46,9 +45,9 @@ TEST_F(Program, APackedSceneHasTheHeldOnesBits) {
 TEST_F(Program, APipeIsDrawnAsItComes) {
     write("spooled.toml", views + "[stream]\nfile = \"-\"\n");
     run("pack --hills 300 --out a.u78p");
-    const json piped = rendered(run("render " + hills + " --json < a.u78p"));
+    const json piped = rendered(run("render " + scenes + "hills.toml --json < a.u78p"));
     const json streamed = rendered(run("pack --hills 300 --out - 2> note | " UMBRA78_PROGRAM
-                                       " render " + hills + " --json"));
+                                       " render " + scenes + "hills.toml --json"));
     EXPECT_EQ(piped["hashes"], streamed["hashes"]);
     EXPECT_EQ(streamed["patches"], 300);
     const Ran once = run("pack --hills 300 --out - 2> note | " UMBRA78_PROGRAM
@@ -58,9 +57,9 @@ TEST_F(Program, APipeIsDrawnAsItComes) {
                         "stream.largest, observer.target, observer.extent, observer.near, "
                         "observer.far, light.target, light.extent, light.near, light.far; give "
                         "all of them, or --spool\n");
-    EXPECT_EQ(run("render " + hills + " <&-").err,
-              "umbra78: " + hills + ":25: 'file' in [stream]: cannot read standard input: Bad file "
-              "descriptor; give a packed file, or the pipe of one\n");
+    EXPECT_EQ(run("render " + scenes + "hills.toml <&-").err,
+              "umbra78: " + scenes + "hills.toml:25: 'file' in [stream]: cannot read standard "
+              "input: Bad file descriptor; give a packed file, or the pipe of one\n");
     EXPECT_EQ(run("pack --hills 3 --out - 2> note | TMPDIR=/missing " UMBRA78_PROGRAM
                   " render spooled.toml --spool").err,
               "umbra78: spooled.toml:11: 'file' in [stream]: cannot read standard input: its copy "
@@ -74,7 +73,7 @@ TEST_F(Program, APipeIsDrawnAsItComes) {
 TEST_F(Program, AStreamTakesTheMemoryOfABatch) {
     const auto peak_of = [&](const std::string& number) {
         return rendered(run("pack --hills " + number + " --out - 2> note | " UMBRA78_PROGRAM
-                            " render " + hills + " --json"))["peak_bytes"].get<double>();
+                            " render " + scenes + "hills.toml --json"))["peak_bytes"].get<double>();
     };
     EXPECT_LT(peak_of("100000"), 1.1 * peak_of("1000"));
 }

@@ -274,3 +274,43 @@ def test_the_example_draws_the_moire():
     flatness = float(ran.stdout.split("flatness ")[1].split(";")[0])
     assert flatness < 0.3, ran.stdout  # white noise has 0.56
     assert pathlib.Path("spectrum3.pgm").read_bytes().startswith(b"P5 32 32 255")
+
+
+# The figures' light about the vertical axis, between device coordinates with z 0 .. 1.
+FIGURE_MATRIX = [[-0.17364817764610052, 0, -1.9696155060082674, 0.98480775300413370],
+                 [0, 1, 0, 0],
+                 [0.49240387650206685, 0, -0.17364817764610052, 0.58682408882305026],
+                 [0, 0, 0, 1]]
+
+
+def test_captured_arrays_give_the_figures_mask(figure3):
+    given = dict(depth_format="codes", bias=64, coefficient_bits=16)
+    found = umbra78.shadow(figure3["observer_z"], figure3["light_z"], FIGURE_MATRIX, **given,
+                           pixel=(115, 180), least_bias=True)
+    assert np.array_equal(found.mask, figure3["mask"])
+    assert found.report["hashes"]["mask"] == GOLDENS["mask3"]
+    assert found.report["trace"]["mask"] == found.mask[180, 115]
+    assert 64 < found.report["least_bias"]["quanta"] < 2000
+    lit = figure3.truth()["lit"]
+    judged = umbra78.shadow(figure3["observer_z"], figure3["light_z"],
+                            np.array(FIGURE_MATRIX).T, row_vectors=True, **given, truth=lit == 0)
+    assert not judged.report["error"]["estimated"]
+    assert judged.report["error"]["false_shadow"] == pytest.approx(0.2387, abs=0.002)
+    assert (judged.error == 1).sum() == judged.report["error"]["false_shadow_pixels"]
+
+
+def test_captured_arrays_are_refused_in_one_line():
+    depth = np.full((8, 8), 0.5, np.float32)
+    for wrong, message in [
+            (dict(depth_format="d15"), "'d15' is no depth format"),
+            (dict(convention="glide"), "'glide' is no convention"),
+            (dict(low_pass=1), "low_pass is no setting of the shadow test"),
+            (dict(truth=depth[:4]), "truth has 8 x 4 numbers")]:
+        with pytest.raises(umbra78.Error, match=message):
+            umbra78.shadow(depth, depth, np.eye(4), **wrong)
+    with pytest.raises(umbra78.Error, match="observer_depth: x 0, y 0 is nan"):
+        umbra78.shadow(depth * np.nan, depth, np.eye(4))
+    with pytest.raises(umbra78.Error, match="matrix has 9 numbers"):
+        umbra78.shadow(depth, depth, np.eye(3))
+    with pytest.raises(umbra78.Error, match="light_depth is an array of 1 dimensions of int64"):
+        umbra78.shadow(depth, np.arange(3), np.eye(4))

@@ -24,7 +24,7 @@ from ._core import Error
 
 __version__ = _core.version
 __all__ = ["Error", "Frame", "Scene", "bias", "bias_of_map", "figure_settings", "plan", "render",
-           "scenes", "settings", "studies", "study", "trace"]
+           "Shadow", "scenes", "settings", "shadow", "studies", "study", "trace"]
 
 
 def _toml(value):
@@ -175,13 +175,16 @@ class Frame(_Mapping):
         return f"<umbra78.Frame, {size} x {size} pixels: {', '.join(self)}>"
 
 
-def render(scene, *, truth=True, set=None, **settings):
+def render(scene, *, truth=True, threads=1, set=None, **settings):
     """Draws a scene and returns its Frame.
 
     Settings are keyword arguments: render(scene, lookup="nearest", bias=64). Keys with a point go
-    into `set`: set={"light.azimuth": 30}. Without `truth` no errors are computed. Raises Error.
+    into `set`: set={"light.azimuth": 30}. Without `truth` no errors are computed. `threads` draw
+    the frame, 0: one for each processor; it is the same with any number. Raises Error.
     """
-    return Frame(_core.draw(scene._core(), _sets(settings, set), truth))
+    if not 0 <= threads <= 64:
+        raise ValueError(f"threads={threads}: give 1 to 64, or 0 for one for each processor")
+    return Frame(_core.draw(scene._core(), _sets(settings, set), truth, threads))
 
 
 def plan(scene, *, set=None, **settings):
@@ -215,6 +218,66 @@ def bias_of_map(map, extent, range, slope, *, reversed=False, **options):
     given = {"extent": extent, "range": range, "slope": slope, **options}
     return _json.loads(_core.bias_of_map(map, {k: _override(v) for k, v in given.items()},
                                          reversed))
+
+
+class Shadow:
+    """The answer of shadow(): arrays of the observer's buffer, row 0 at the top.
+
+    mask      uint8, 255 in shadow
+    error     1 false shadow, -1 false light, else 0; against truth, or an estimate of it
+    spectrum  of the false shadow where there is most of it, in the order of numpy.fft.fft2; empty
+              if there is too little
+    report    all of `umbra78 shadow --json`: "error", "spectrum", "least_bias", "trace", ...
+    """
+
+    def __init__(self, report, mask, error, spectrum):
+        self.report = _json.loads(report)
+        self.mask, self.error, self.spectrum = mask, error, spectrum
+
+    def __repr__(self):
+        rate = self.report["error"]["false_shadow"]
+        return f"<umbra78.Shadow, {self.mask.shape[1]} x {self.mask.shape[0]}: {rate:.2%} false>"
+
+
+_KINDS = {"u1": 0, "u2": 1, "u4": 2, "f4": 3, "f8": 4}
+
+
+def shadow(observer_depth, light_depth, matrix, *, depth_format="d32f", convention="d3d",
+           truth=None, truth_bright=False, pixel=None, least_bias=False, y_up=None,
+           z_from_minus_one=None, first_row_on_top=None, row_vectors=None, **settings):
+    """Runs the shadow test on two captured depth buffers and returns a Shadow.
+
+    `matrix` (16 numbers or 4 x 4) takes (x, y, z, 1) in the observer's device coordinates, z being
+    the depth as it is stored, to the light's clip coordinates, as M @ p: the light's
+    view-projection times the inverse of the observer's. depth_format: "codes", "d16", "d24",
+    "d32f", or one of the last three with "_reversed". convention: "d3d" (y up, z 0 .. 1, row 0 at
+    the top), "vulkan" (y down) or "opengl" (y up, z -1 .. 1, row 0 at the bottom); y_up,
+    z_from_minus_one, first_row_on_top and row_vectors (p @ M) change a part of it. pixel=(x, y)
+    adds that pixel's trace, least_bias the search. Raises Error.
+    """
+    asked = _core.Captured()
+    for name, given in ("observer_depth", observer_depth), ("light_depth", light_depth), \
+                       ("truth", truth):
+        if given is None:
+            continue
+        array = _np.asarray(given)
+        kind = "u1" if array.dtype == bool else array.dtype.str[1:]
+        if array.ndim != 2 or array.size == 0 or kind not in _KINDS:
+            raise Error(f"{name} is an array of {array.ndim} dimensions of {array.dtype}; give "
+                        "two, height and width, of uint8, uint16, uint32, float32 or float64")
+        asked.take(name, array * 255 if array.dtype == bool else array, _KINDS[kind])
+    also = {"y_up": y_up, "z_from_minus_one": z_from_minus_one,
+            "first_row_on_top": first_row_on_top, "row_vectors": row_vectors}
+    numbers = [float(each) for each in _np.asarray(matrix, dtype=float).ravel()]
+    if len(numbers) != 16:
+        raise Error(f"matrix has {len(numbers)} numbers; give 16, row by row")
+    asked.means(numbers, depth_format, convention,
+                {name: bool(value) for name, value in also.items() if value is not None})
+    asked.use(_sets(settings, None))
+    asked.truth_bright, asked.least_bias = truth_bright, least_bias
+    if pixel is not None:
+        asked.trace(*pixel)
+    return Shadow(*_core.shadow(asked))
 
 
 def study(name, scene=None, *, vary=None, quick=False, automatic=False, jobs=0):

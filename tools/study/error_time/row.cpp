@@ -85,7 +85,7 @@ void set_cycles(Row& row, const std::string& prefix, const RenderJob& job) {
 // case's.
 void set_profiles(Row& row, RenderJob& job) {
     const shadow::Settings settings = job.settings();
-    for (const shadow::Profile& profile : shadow::profiles()) {
+    for (const shadow::Profile& profile : shadow::profiles_of_1978()) {
         const std::string prefix = fmt::format("{}_", profile.name);
         if (!applies(profile, settings)) {
             for (const char* column : {"frame", "transformation"})

@@ -1,0 +1,66 @@
+; raster/block.hpp: what a halving adds to errors, whatever they are: values that are off by flo ..
+; fhi and corrections that are off by glo .. ghi. What half up adds stands in words.txt, halve_32.
+(set-logic QF_LRA)
+(declare-const flo Real)
+(declare-const fhi Real)
+(declare-const glo Real)
+(declare-const ghi Real)
+(declare-const e0 Real)
+(declare-const e1 Real)
+(declare-const d0 Real)
+(declare-const d1 Real)
+(declare-const half Real)
+(declare-const eighth Real)
+(declare-const quarter Real)
+(assert (and (<= flo e0) (<= e0 fhi) (<= flo e1) (<= e1 fhi)))
+(assert (and (<= glo d0) (<= d0 ghi) (<= glo d1) (<= d1 ghi)))
+(assert (and (<= 0.0 half) (<= half 0.5)))
+(assert (and (<= (- 0.375) eighth) (<= eighth 0.5) (<= (- 0.25) quarter) (<= quarter 0.5)))
+; A split in u halves (f, gu) and (gv, guv), one in v (f, gv) and (gu, guv). Let f be off by flo ..
+; fhi, gu by ulo .. uhi, gv by vlo .. vhi, and guv by -1/2 .. 2/3, which claim 2 keeps. A weight of
+; 4/3 makes the sum of f's and the corrections' errors grow by the same in every order of splits.
+(declare-const ulo Real)
+(declare-const uhi Real)
+(declare-const vlo Real)
+(declare-const vhi Real)
+(define-fun weighted ((f Real) (u Real) (v Real)) Real (+ f (* (/ 4.0 3.0) (+ u v))))
+; claim: a halving's middle is off by flo - ghi .. fhi - glo + 1/2
+; weaken: (<= half 0.5) => (<= half 0.6)
+(push)
+(assert (let ((e (+ (* 0.5 (- (+ e0 e1) (+ d0 d1))) half)))
+  (not (and (<= (- flo ghi) e) (<= e (+ (- fhi glo) 0.5))))))
+(check-sat)
+(pop)
+; claim: its corrections, an eighth of a sum and a quarter, by glo / 4 - 3/8 .. ghi / 4 + 1/2
+; weaken: (<= (- 0.375) eighth) => (<= (- 0.5) eighth)
+(push)
+(assert (let ((m (+ (* 0.125 (+ d0 d1)) eighth)) (q (+ (* 0.25 d0) quarter)))
+  (not (and (<= (- (* 0.25 glo) 0.375) m) (<= m (+ (* 0.25 ghi) 0.5))
+            (<= (- (* 0.25 glo) 0.375) q) (<= q (+ (* 0.25 ghi) 0.5))))))
+(check-sat)
+(pop)
+; claim: guv stays within -1/2 .. 2/3
+; weaken: (* 0.25 (/ 2.0 3.0)) => (* 0.26 (/ 2.0 3.0))
+(push)
+(assert (not (and (<= (- 0.5) (- (* 0.25 (- 0.5)) 0.375))
+                  (<= (+ (* 0.25 (/ 2.0 3.0)) 0.5) (/ 2.0 3.0)))))
+(check-sat)
+(pop)
+; claim: a split in u (in v likewise) adds at most 2 to -flo + 4/3 (uhi + vhi), f' from flo - uhi,
+; gu' to uhi / 4 + 1/2, gv' to vhi + 1/2 + 1/2
+; weaken: 2.0)) => 1.9))
+(push)
+(assert (>= uhi 0.0))
+(assert (not (<= (weighted (- uhi flo) (+ (* 0.25 uhi) 0.5) (+ vhi 1.0))
+                 (+ (weighted (- flo) uhi vhi) 2.0))))
+(check-sat)
+(pop)
+; claim: and at most 2 to fhi - 4/3 (ulo + vlo), f' to fhi - ulo + 1/2, gu' from ulo / 4 - 3/8, gv'
+; from vlo - 2/3
+; weaken: 2.0)) => 1.8))
+(push)
+(assert (<= ulo 0.0))
+(assert (not (<= (weighted (+ (- fhi ulo) 0.5) (- 0.375 (* 0.25 ulo)) (- (/ 2.0 3.0) vlo))
+                 (+ (weighted fhi (- ulo) (- vlo)) 2.0))))
+(check-sat)
+(pop)
