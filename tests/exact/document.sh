@@ -47,9 +47,9 @@ END_OF_HEAD
 
 The program holds the words of all its scenes. RAM is what a frame of the largest case takes
 together with the program's variables and the deepest stack. The data of a bare program are
-constant tables that hold addresses, which g++ 12
-takes for data that can be written (the guard `writable` looks at them). Instructions are counted
-by QEMU with `-icount`, on the Cortex-M3 in steps of 40.
+constant tables that hold addresses, which g++ 12 takes for data that can be written (the guard
+`writable` looks at them). Instructions are counted by QEMU with `-icount`, on the Cortex-M3 in
+steps of 40.
 TEXT
   if [ -s "$work/rooms" ]; then
     printf '\n## Room tests\n\nThe tests of `fixed` and `hw`, but for those of traps.\n\n'
@@ -59,11 +59,16 @@ TEXT
   if [ -s "$work/faults.md" ]; then
     printf '\n## Planted faults\n\n'
     cat <<'TEXT'
-`tools/exact --faults` plants each into a copy of the core ([faults](exact/faults)). The
-last column is what x86-64 g++ -O0 draws with it.
+`tools/exact --faults` plants each into a copy of the core ([faults](exact/faults)).
 
 TEXT
     cat "$work/faults.md"
+    untried=""
+    for program in tests/exact/faults/*.sed; do
+      name=$(sed -n 's/^# fault: //p' "$program")
+      grep -qF "| $name |" "$work/faults.md" || untried="$untried${untried:+; }$name"
+    done
+    [ -z "$untried" ] || printf '\nNot planted in this run: %s.\n' "$untried"
   fi
   printf '\n## Compilers\n\n%s\n' "$versions"
 } >tests/EXACT.md

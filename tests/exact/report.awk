@@ -119,7 +119,8 @@ function print_markdown(   k, sum, part, s) {
     printf "| %s | `%s` | `%s` | `%s` | %s | %s | %s |\n", name[k], options[k], figures[k],
            others[k], built[k], ran[k], note(k)
   print "\nMethods and lights, in their order: " legend() "."
-  print "\n| target | program, bytes | data | largest frame | stack | RAM, all | figure 6, million " \
+  print "\n| target | program, bytes | data | largest frame | stack | RAM, all" \
+        " | figure 6, million " \
         "instructions: matrices | light | observer | shadow | filters | sum | all cases |"
   print "|---|---|---|---|---|---|---|---|---|---|---|---|---|"
   split("matrices light observer shadow filters", part, " ")

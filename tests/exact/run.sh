@@ -133,7 +133,8 @@ run_chromium() {
     }
     {sub(/@FILLER@/, filler); print}' tests/exact/page.html >"$scratch/page.html"
   timeout 600 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$scratch/profile" \
-    --dump-dom "file://$scratch/page.html" | sed -n 's/.*<pre id="lines">//; /^[a-z]* /p'
+    --dump-dom "file://$scratch/page.html" |
+    sed -n '/<pre id="lines">/,/<\/pre>/{s/.*<pre id="lines">//; s/<\/pre>.*//; /./p}'
 }
 case $runs_by in
   here) build=build_hosted run="$program $filler $only" ;;
