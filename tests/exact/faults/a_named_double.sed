@@ -1,6 +1,6 @@
 # fault: a named double
 # in: fixed/rounding.hpp
-# by: guard poison
+# by: guard tokens
 s/(\n\}  \/\/ namespace umbra78::fixed)/\
 inline int half_of(int v) {\
     const double half = v;\

@@ -50,6 +50,8 @@ dicing.c|6 \* uu|5 * uu|vectors
 ground.c|times(rise, 64)|times(rise, 63)|vectors
 float_store.c|drop, HALF_EVEN|drop, HALF_UP|s_float
 receiver.c|? code : kept_code(code, s)|? code : code|s_float_reversed
+receiver.c|kept_code(s->deepest_drawn, s)|s->deepest_drawn|s_float_far
+shadow_test.c|code = kept_code(code, s)|(void)kept_code|s_float_nearest
 END
 }
 

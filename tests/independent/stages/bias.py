@@ -34,7 +34,7 @@ def moved_code(depth, more, s):
     if code is None or more == 0:
         return code
     moved = z_code(depth + more, s)
-    return s.deepest_drawn if moved is None else moved
+    return kept(s.deepest_drawn, s) if moved is None else moved
 
 
 class Casters:
