@@ -13,8 +13,9 @@ namespace umbra78::raster::inner_lanes {
 #define UMBRA78_LANES_TEXT
 #include "raster/block_body.hpp"
 #undef UMBRA78_LANES_TEXT
-[[maybe_unused]] constexpr BlockForm whole{"", nullptr, expand_form, centres_form, leaves_form,
-                                           shade_form};
+[[maybe_unused]] constexpr BlockForm whole{
+    "", nullptr, expand_form, centres_form, leaves_form, shade_form,
+    {see_form, measure_form, few_form, tile_form, put_form, shade_facets_form}};
 }  // namespace umbra78::raster::inner_lanes
 
 namespace umbra78::raster {

@@ -3,6 +3,7 @@
 #include "tools/captured/report.hpp"
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/cli/two_numbers.hpp"
 #include "tools/io/buffer_files.hpp"
 #include "tools/io/console.hpp"
 #include "tools/io/text_formats.hpp"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <memory>
 
 namespace umbra78::tools {
@@ -25,21 +25,6 @@ struct Options {
     bool json = false, least_bias = false, truth_bright = false;
 };
 
-// "1280x720", "80,180"
-std::optional<std::pair<int, int>> two_numbers(std::string_view text, char between) {
-    std::pair<int, int> two;
-    const char* const end = text.data() + text.size();
-    const auto a = std::from_chars(text.data(), end, two.first);
-    if (a.ec != std::errc{} || a.ptr == end || *a.ptr != between) return {};
-    const auto b = std::from_chars(a.ptr + 1, end, two.second);
-    if (b.ec != std::errc{} || b.ptr != end) return {};
-    return two;
-}
-
-std::string check_pixel(const std::string& text) {
-    if (two_numbers(text, ',')) return "";
-    return fmt::format("'{}' is not a pixel; write x,y as in 80,180", text);
-}
 std::string check_size(const std::string& text) {
     if (two_numbers(text, 'x')) return "";
     return fmt::format("'{}' is not a size; write WIDTHxHEIGHT as in 1280x720", text);

@@ -1,6 +1,7 @@
 // umbra78 trace: prints every word of one pixel's way through the post-process, with its cycle.
 #include "tools/cli/command_line.hpp"
 #include "tools/cli/commands.hpp"
+#include "tools/cli/two_numbers.hpp"
 #include "tools/render/report.hpp"
 #include "tools/scene/scene_file.hpp"
 #include "tools/scene/settings_text.hpp"
@@ -12,9 +13,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <memory>
-#include <optional>
 
 namespace umbra78::tools {
 namespace {
@@ -26,26 +25,15 @@ struct TraceOptions {
     bool json = false, waterfall = false;
 };
 
-// "80,180"
-std::optional<Pixel> parse_pixel(std::string_view text) {
-    Pixel pixel{};
-    const char* const end = text.data() + text.size();
-    const auto x = std::from_chars(text.data(), end, pixel.x);
-    if (x.ec != std::errc{} || x.ptr == end || *x.ptr != ',') return {};
-    const auto y = std::from_chars(x.ptr + 1, end, pixel.y);
-    if (y.ec != std::errc{} || y.ptr != end) return {};
-    return pixel;
-}
-
-std::string check_pixel(const std::string& text) {
-    if (parse_pixel(text)) return "";
-    return fmt::format("'{}' is not a pixel; write x,y as in 80,180", text);
+Pixel pixel_of(const TraceOptions& options) {
+    const auto [x, y] = *two_numbers(options.pixel, ',');
+    return {x, y};
 }
 
 void run_rival(const TraceOptions& options, const RenderJob& job) {
     if (!options.vcd.empty() || options.waterfall)
         throw SceneError(std::string(shadow::method_of(job.inputs()).no_trace));
-    const RivalTrace trace = trace_rival(job, *parse_pixel(options.pixel));
+    const RivalTrace trace = trace_rival(job, pixel_of(options));
     if (options.json) {
         nlohmann::ordered_json json{{"scene", options.scene}};
         json.update(to_json(trace));
@@ -63,7 +51,7 @@ void run(const TraceOptions& options) {
     RenderJob job(scene.view(), scene.settings);
     if (shadow::is_rival(scene.settings.form)) return run_rival(options, job);
     job.render();
-    const PixelTrace trace = trace_pixel(job, *parse_pixel(options.pixel));
+    const PixelTrace trace = trace_pixel(job, pixel_of(options));
     if (!options.vcd.empty()) {
         VcdOptions window;
         window.cycles = options.cycles;

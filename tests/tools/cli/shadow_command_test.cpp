@@ -11,12 +11,11 @@ namespace {
 using json = nlohmann::ordered_json;
 using test::Ran;
 
-const std::string scene = UMBRA78_SOURCE_DIR "/tools/scenes/figures.toml";
 
 struct ShadowCommand : test::Program {
     // The figures' buffers, and their matrix: x, y and z of -2 .. 2 about the vertical axis.
     void capture() const {
-        const Ran ran = run("render " + scene + " --no-truth --buffers own");
+        const Ran ran = run("render " + figures_scene + " --no-truth --buffers own");
         ASSERT_EQ(ran.exit_code, 0) << ran.err;
         write("m.txt", "# light at azimuth -100\n"
                        "-0.17364817764610052 0 -1.9696155060082674 0.98480775300413370\n"
@@ -30,7 +29,7 @@ struct ShadowCommand : test::Program {
 
 TEST_F(ShadowCommand, OwnBuffersGiveTheFramesMask) {
     capture();
-    const Ran drawn = run("render " + scene + " --no-truth --json --set "
+    const Ran drawn = run("render " + figures_scene + " --no-truth --json --set "
                           "lookup=nearest --set dither=none --set bias=64 --set bias_unit=quanta");
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
     const Ran ran = run(on_own + "--set coefficient_bits=16 --set bias=64 --json");
