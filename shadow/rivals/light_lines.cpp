@@ -35,15 +35,6 @@ int determinant_sign(const LightLine& a, const LightLine& b, const LightLine& c)
 
 // --- the sign of three lines ----------------------------------------------------------------
 
-LightLine::LightLine(const std::array<Sum, 3>& numbers) : v(numbers) {
-    int longest = 0;
-    for (const Sum& number : v) longest = std::max(longest, number.bit_length());
-    const int s = std::max(0, longest - leading_bits);
-    for (std::size_t k = 0; k < 3; ++k)
-        leading[k] = static_cast<std::int32_t>((v[k] >> s).to_int64());
-    limbs = (longest + 2 + 63) / 64;
-}
-
 // A number is its leading bits plus less than 1, in units of its line's 2^s. So of the six products
 // that make up the determinant each is within (M + 1)^3 - M^3 of that of the leading bits, where M
 // is the greatest of them. A determinant beyond six times that has its sign.

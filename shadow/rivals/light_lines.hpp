@@ -23,6 +23,7 @@
 
 #include "shadow/rivals/light_grid.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -60,8 +61,15 @@ using LeadingBits = std::array<std::int32_t, 3>;
 inline constexpr int leading_bits = 20;
 
 struct LightLine {
-    LightLine() = default;
-    explicit LightLine(const std::array<Sum, 3>&);
+    constexpr LightLine() = default;
+    constexpr explicit LightLine(const std::array<Sum, 3>& numbers) : v(numbers) {
+        int longest = 0;
+        for (const Sum& number : v) longest = std::max(longest, number.bit_length());
+        const int s = std::max(0, longest - leading_bits);
+        for (std::size_t k = 0; k < 3; ++k)
+            leading[k] = static_cast<std::int32_t>((v[k] >> s).to_int64());
+        limbs = (longest + 2 + 63) / 64;
+    }
 
     std::array<Sum, 3> v;
     LeadingBits leading{};

@@ -13,7 +13,7 @@ int sign_of_rows(const Rows& r) {
 }
 
 inline constexpr std::size_t numbers_of_line = 3;
-const std::array<LightLine, numbers_of_line> units{
+constexpr std::array<LightLine, numbers_of_line> units{
     LightLine({Sum(1), Sum(0), Sum(0)}), LightLine({Sum(0), Sum(1), Sum(0)}),
     LightLine({Sum(0), Sum(0), Sum(1)})};
 

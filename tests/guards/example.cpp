@@ -7,7 +7,7 @@
 
 using namespace umbra78;
 
-alignas(shadow::frame_alignment) static std::byte memory[13 << 18];  // all that a frame takes
+alignas(shadow::frame_alignment) static std::byte memory[14 << 18];  // all that a frame takes
 
 int main() {
     const shadow::FigurePatches patches = shadow::figure_patches();

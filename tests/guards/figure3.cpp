@@ -10,7 +10,7 @@
 
 using namespace umbra78;
 
-alignas(shadow::frame_alignment) static std::byte memory[13 << 18];
+alignas(shadow::frame_alignment) static std::byte memory[14 << 18];
 
 static void print(const char* name, std::span<const std::uint8_t> plane) {
     fixed::Fnv1a64 hash;

@@ -7,7 +7,7 @@
 
 using namespace umbra78;
 
-alignas(shadow::frame_alignment) static std::byte memory[13 << 18];
+alignas(shadow::frame_alignment) static std::byte memory[14 << 18];
 
 int main() {
     const shadow::FigurePatches patches = shadow::figure_patches();

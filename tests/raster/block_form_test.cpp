@@ -284,7 +284,6 @@ TEST_P(DrawnByForms, IsTheFrameDrawnByTheDefinition) {
     hw::FrameStore<hw::Depth16> store = plain.store();
     PictureSink<hw::Depth16> sink{store};
     for (const Patch& patch : patches) {
-        ++counts.patches;
         walk.push_patch(patch);
         ScreenBounds bounds;
         while (walk.next(bounds)) {

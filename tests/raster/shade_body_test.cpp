@@ -45,6 +45,7 @@ TEST(ShadeBody, LengthsAndCosinesAreTheExactFloors) {
         inner_lanes::LeafNormals normals;
         inner_lanes::Lanes cosines;
         inner_lanes::find_normals(job, leaf, normals);
+        inner_lanes::find_lengths(normals);
         inner_lanes::find_cosines(normals, d.data(), cosines);
         for (std::size_t i = 0; i < 16; ++i) {
             const WideVector m{normals.n[0][i], normals.n[1][i], normals.n[2][i]};

@@ -38,7 +38,7 @@ TEST_F(Program, WrongUsageIsOneLineAndExitCode2) {
         {"render", "scene is required; see umbra78 render --help"},
         {"render a.toml b.toml",
          "unknown argument 'b.toml'; known here: --help, scene, --out, --buffers, --error, --set, "
-         "--no-truth, --spool, --json; see umbra78 render --help"},
+         "--no-truth, --spool, --threads, --json; see umbra78 render --help"},
         {"render a.toml --set", "--set: 1 required KEY=VALUE missing; see umbra78 render --help"},
         {"render a.toml --jsn", "unknown argument '--jsn'; did you mean '--json'?; see umbra78 "
                                 "render --help"},
