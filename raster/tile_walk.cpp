@@ -11,8 +11,8 @@ static_assert(2 * max_tiled_depth <= INT64_MAX / (std::int64_t{4} * near_extent 
 static_assert(2 * max_tiled_depth <= INT64_MAX / (std::int64_t{4} * max_tiled * pixel_units));
 
 // An edge's value changes by at most so much within a tile.
-constexpr std::int64_t reach = std::int64_t{max_tiled} * (TileColumns::most + tile_lines);
-static_assert(2 * reach <= INT32_MAX);
+constexpr std::int64_t tile_reach = std::int64_t{max_tiled} * (TileColumns::most + tile_lines);
+static_assert(2 * tile_reach <= INT32_MAX);
 
 // What stands for an edge's value where no centre of a tile is outside: it stays positive for any
 // column.
@@ -77,8 +77,8 @@ bool TileWalk::make(int py, Tile& out) const {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::int64_t e = edge_[k] + std::int64_t{first_ - x0_} * right_[k] +
                                std::int64_t{py - y0_} * down_[k];
-        if (e < -reach) return false;
-        const bool inner = e > reach;
+        if (e < -tile_reach) return false;
+        const bool inner = e > tile_reach;
         out.edge[k] = inner ? max_inner : static_cast<std::int32_t>(e);
         out.down[k] = inner ? 0 : down_[k];
     }

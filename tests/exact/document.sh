@@ -48,7 +48,7 @@ END_OF_HEAD
 The program holds the words of all its scenes. RAM is what a frame of the largest case takes
 together with the program's variables and the deepest stack. The data of a bare program are
 constant tables that hold addresses, which g++ 12 takes for data that can be written (the guard
-`writable` looks at them). Instructions are counted by QEMU with `-icount`, on the Cortex-M3 in
+`objects` looks at them). Instructions are counted by QEMU with `-icount`, on the Cortex-M3 in
 steps of 40.
 TEXT
   if [ -s "$work/rooms" ]; then

@@ -4,10 +4,11 @@
 #include "tools/cli/commands.hpp"
 #include "tools/io/console.hpp"
 #include "tools/io/interruptible.hpp"
-#include "tools/render/sequence_manifest.hpp"
 #include "tools/render/frame_warnings.hpp"
 #include "tools/render/plan_text.hpp"
 #include "tools/render/report.hpp"
+#include "tools/render/sequence_manifest.hpp"
+#include "tools/render/thread_pool.hpp"
 #include "tools/scene/azimuth_sweep.hpp"
 #include "tools/scene/toml_text.hpp"
 
@@ -61,7 +62,7 @@ public:
     explicit Sequence(const AnimateOptions& options)
         : options_(options), sweeps_(read_sweeps(options)),
           folder_(options.out.empty() ? Path(options.scene).stem() : Path(options.out)),
-          scene_(load(1)), old_(read_manifest(folder_)) {}
+          scene_(load(1)), pool_(workers_for(options.threads)), old_(read_manifest(folder_)) {}
 
     void run();
     void print_summary() const;
@@ -101,6 +102,7 @@ private:
     Path folder_;
     std::unique_ptr<LoadedScene> scene_;  // of the current frame
     std::unique_ptr<LoadedScene> drawn_;  // of the last frame drawn; the job reads its spans
+    ThreadPool pool_;
     std::unique_ptr<RenderJob> job_;
     SequenceManifest old_, manifest_;
     std::set<std::string> warned_;  // keys
@@ -176,8 +178,7 @@ void Sequence::draw(int frame) {
             job_->advance(scene_->view(), scene_->settings);
         } else {
             job_ = std::make_unique<RenderJob>(scene_->view(), scene_->settings,
-                                                Maps::for_shadows_alone,
-                                                workers_for(options_.threads));
+                                               Maps::for_shadows_alone, pool_.executor());
         }
         drawn_ = std::move(scene_);
         job_->render();

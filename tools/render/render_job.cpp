@@ -25,8 +25,8 @@ double timed_ms(Stage stage) {
 }  // namespace
 
 RenderJob::RenderJob(const shadow::Scene& scene, const shadow::Settings& settings, Maps maps,
-                     std::size_t workers)
-    : workers_(workers) {
+                     const shadow::Executor& executor)
+    : executor_(executor) {
     inputs_.shows_maps = maps == Maps::shown;
     load({scene, settings, {}}, nullptr);
     if (settings.machine.z_bits <= 16) {
@@ -43,16 +43,13 @@ void RenderJob::allocate() {
     layers_ = shadow::map_layers(settings());
     normals_ = shadow::reads_normals(settings());
     shadow::FrameShape shape(inputs_.scene, settings());
-    shape.workers = workers_;
+    shape.workers = executor_.workers;
     bytes_ = shadow::frame_bytes<Depth>(machine, patches_, shape);
     memory_.reset(new (std::align_val_t{shadow::frame_alignment}) std::byte[bytes_]);
     auto& frame =
         frame_.emplace<shadow::FrameBuffers<Depth>>(
             shadow::carve<Depth>({memory_.get(), bytes_}, machine, patches_, shape));
-    if (workers_ > 1) {
-        pool_ = std::make_unique<ThreadPool>(workers_);
-        frame.executor = pool_->executor();
-    }
+    frame.executor = executor_;
     make_room(0);
 }
 

@@ -11,7 +11,6 @@
 #include "shadow/frame/frame.hpp"
 #include "shadow/frame/ledger.hpp"
 #include "tools/io/buffers.hpp"
-#include "tools/render/thread_pool.hpp"
 #include "tools/stream/stream.hpp"
 
 #include <array>
@@ -71,9 +70,10 @@ enum class Maps : std::uint8_t { shown, for_shadows_alone };
 class RenderJob {
 public:
     // The scene's spans must live as long as the job. Throws SceneError if the frame's matrices
-    // do not fit. `workers`: threads that draw; the frame is the same with any number.
+    // do not fit. The executor, a ThreadPool's, must live as long, too; the frame is the same
+    // with any.
     RenderJob(const shadow::Scene&, const shadow::Settings&, Maps = Maps::shown,
-              std::size_t workers = 1);
+              const shadow::Executor& executor = {});
 
     // Other settings for the stages that follow. Throws SceneError, and leaves the job as it was,
     // if xy_bits or z_bits differ from the frame's or the matrices do not fit.
@@ -139,9 +139,8 @@ private:
     std::size_t bytes_ = 0, patches_ = 0;  // that the memory was carved for
     int layers_ = 1;                       // of the light's map, likewise
     bool normals_ = false;                 // whether it has planes for them
-    std::size_t workers_;
+    shadow::Executor executor_;
     std::unique_ptr<std::byte[], Free> memory_;
-    std::unique_ptr<ThreadPool> pool_;  // of several workers
     std::size_t method_bytes_ = 0;
     std::unique_ptr<std::byte[], Free> method_memory_;
     std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;

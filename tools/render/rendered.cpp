@@ -49,7 +49,8 @@ const char* no_truth_because(const LoadedScene& scene) {
 
 Rendered::Rendered(LoadedScene loaded, const RenderOptions& options)
     : scene(std::move(loaded)),
-      job(scene.view(), scene.settings, Maps::shown, workers_for(options.threads)),
+      pool(workers_for(options.threads)),
+      job(scene.view(), scene.settings, Maps::shown, pool.executor()),
       patches(scene.patches.size()),
       triangles(scene.facets.size()) {
     if (scene.stream) {

@@ -4,6 +4,7 @@
 
 #include "tools/render/render_job.hpp"
 #include "tools/render/report.hpp"
+#include "tools/render/thread_pool.hpp"
 #include "tools/scene/scene_file.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -23,6 +24,7 @@ struct RenderOptions {
 // Its job points into its scene, so it stays where it is made.
 struct Rendered {
     LoadedScene scene;
+    ThreadPool pool;
     RenderJob job;
     // By light; empty: none was asked for; nothing where there is none.
     std::vector<std::optional<SceneTruth>> truths;

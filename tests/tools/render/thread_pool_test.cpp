@@ -47,7 +47,8 @@ TEST(ThreadPool, DrawsTheSameFrame) {
         const LoadedScene scene =
             load_scene(std::string(UMBRA78_SOURCE_DIR) + "/tools/scenes/" + name, small);
         RenderJob one(scene.view(), scene.settings);
-        RenderJob three(scene.view(), scene.settings, Maps::shown, 3);
+        ThreadPool pool(3);
+        RenderJob three(scene.view(), scene.settings, Maps::shown, pool.executor());
         one.render();
         three.render();
         for (const PlaneOf& plane : one.planes())
