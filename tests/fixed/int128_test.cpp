@@ -11,9 +11,9 @@ namespace {
 using Slow = umbra78::test::Slow128<true>;
 using SlowUnsigned = umbra78::test::Slow128<false>;
 
-static_assert(Slow{-7} / 2 == -3 && Slow{-7} % 2 == -1 && Slow{-7} >> 1 == -4);
+static_assert(Slow{-7} / 2 == -3 && Slow{-7} % 2 == -1 && (Slow{-7} >> 1) == -4);
 static_assert(Slow{-1} < Slow{0} && SlowUnsigned{-1} > SlowUnsigned{0});
-static_assert((SlowUnsigned{1} << 127) / 3 * 3 + 2 == SlowUnsigned{1} << 127);
+static_assert((SlowUnsigned{1} << 127) / 3 * 3 + 2 == (SlowUnsigned{1} << 127));
 
 #ifdef __SIZEOF_INT128__
 template <class Native, class Made>
