@@ -49,8 +49,9 @@ public:
         adds_half_ = spec.transform_rounding == Rounding::half_up && spec.accumulator_bits() < 62;
         for (std::size_t r = 0; r < 4; ++r) {
             round_shift_[r] = shift_of(static_cast<int>(r));
-            half_[r] = round_shift_[r] > 0 ? std::int64_t{1} << (round_shift_[r] - 1) : 0;
-            adds_half_ = adds_half_ && round_shift_[r] >= 0 && round_shift_[r] < 62;
+            const bool fits = round_shift_[r] >= 0 && round_shift_[r] < 62;
+            half_[r] = fits && round_shift_[r] > 0 ? std::int64_t{1} << (round_shift_[r] - 1) : 0;
+            adds_half_ = adds_half_ && fits;
             start_[r] = matrix.affine ? cut_(matrix.word[r][3] * one) : 0;
         }
         for (int c = 0; c < cycles_; ++c) turn_[static_cast<std::size_t>(c)] = turn_of(c);

@@ -198,6 +198,7 @@ bool root_is_the_codes() {
         for (std::uint8_t& l : leaf) l = static_cast<std::uint8_t>(words.number(0, 255));
         raster::proof_lanes::LeafNormals found;
         raster::proof_lanes::find_normals(job, leaf, found);
+        raster::proof_lanes::find_lengths(found);
         for (std::size_t i = 0; i < 16; ++i) {
             std::uint64_t square = 0;
             for (const auto& axis : found.n)

@@ -45,7 +45,7 @@ fuzz_one() {
   cp -r "$folder/corpus/$name" "$own/corpus"
   clang++ -fsanitize=fuzzer,$sanitizers "$(object_of "$folder/$name.cpp")" "$@" $libraries \
     -o "$own/target" &&
-    "$own/target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -seed=1978 \
+    "$own/target" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -seed=1978 \
       -artifact_prefix="$own/found/" "$own/corpus" && touch "$own/held"
 }
 

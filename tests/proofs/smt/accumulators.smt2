@@ -25,6 +25,7 @@
   (and (bvsle low v) (bvsle v high)))
 (assert (between xy (_ bv{least_xy_bits} 80) (_ bv{greatest_xy_bits} 80)))
 (assert (between z (_ bv{least_z_bits} 80) (_ bv{greatest_z_bits} 80)))
+(assert (bvsle (bvsub z xy) (_ bv20 80))) ; depth_fraction(), of which check() refuses more
 (assert (between c (_ bv{least_coefficient_bits} 80) (_ bv{greatest_coefficient_bits} 80)))
 (assert (between f (_ bv{least_fraction_bits} 80) (_ bv{greatest_fraction_bits} 80)))
 (assert (between most (_ bv{least_max_accumulator_bits} 80)
@@ -42,10 +43,10 @@
 (declare-const p3 (_ BitVec 80))
 (define-fun is_product ((p (_ BitVec 80))) Bool
   (and (bvsle (bvneg cut_product) p) (bvsle p cut_product)))
-; claim: words have at most 24 bits, an accumulator at most 59
-; weaken: (_ bv59 80) => (_ bv58 80)
+; claim: words have at most 26 bits, an accumulator at most 61
+; weaken: (_ bv61 80) => (_ bv60 80)
 (push)
-(assert (not (and (bvsle w (_ bv24 80)) (bvsle bits (_ bv59 80)))))
+(assert (not (and (bvsle w (_ bv26 80)) (bvsle bits (_ bv61 80)))))
 (check-sat)
 (pop)
 ; claim: no sum of four products, cut or not, leaves the accumulator, nor does a partial one
