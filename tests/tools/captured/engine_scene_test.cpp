@@ -24,6 +24,10 @@ std::array<double, 3> place_of(const Capture& c, int x, int y, double depth) {
             q[2] / q[3] * far_quanta};
 }
 
+bool is_outside(const Capture& c, const std::array<double, 3>& p) {
+    return p[0] < 0 || p[1] < 0 || p[0] >= c.light.width || p[1] >= c.light.height;
+}
+
 // Whether rounding may decide: the observer's depth is off by half a quantum, X and Y by half a
 // 128th of a texel, both Z by half a quantum each and the point's by half a float's step, which is
 // two quanta, too; matrix words of 32 bits by less than one more of each.
@@ -35,6 +39,7 @@ bool is_close(const Capture& c, int x, int y, double bias) {
         const double off = std::abs(high[k] - low[k]) + 1.5 / 128;
         if (std::abs(here[k] - std::round(here[k])) < off) return true;
     }
+    if (is_outside(c, here)) return false;
     const auto tx = static_cast<int>(here[0]), ty = static_cast<int>(here[1]);
     const double gap = here[2] - bias - c.light.at(tx, ty) * far_quanta;
     return std::abs(gap) < std::abs(high[2] - low[2]) + 4;
@@ -42,7 +47,7 @@ bool is_close(const Capture& c, int x, int y, double bias) {
 
 bool is_shadowed(const Capture& c, int x, int y, double bias) {
     const auto p = place_of(c, x, y, c.observer.at(x, y));
-    if (p[0] < 0 || p[1] < 0 || p[0] >= c.light.width || p[1] >= c.light.height) return false;
+    if (is_outside(c, p)) return false;
     const double stored = c.light.at(static_cast<int>(p[0]), static_cast<int>(p[1]));
     return stored < 1 && p[2] - bias > stored * far_quanta;
 }
