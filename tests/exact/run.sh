@@ -159,6 +159,13 @@ case $runs_by in
     ;;
 esac
 step built $build || finish "failed: it does not build"
+# A processor without floats needs no helper in their place: there is none among what is linked.
+if [ $build = build_bare ]; then
+  floats=$(nm "$program" | awk '{print $NF}' |
+    grep -E '^__(aeabi_([fd](add|r?sub|mul|div|cmp|2)|u?[il]2[fd])|(add|sub|mul|div)[sd]f3|float|fix)' |
+    tr '\n' ' ' || true)
+  [ -z "$floats" ] || finish "failed: floating point is in it: $floats"
+fi
 case $runs_by in
   node | chromium) wc -c <"$program" ;;
   *) size "$program" 2>/dev/null | awk 'NR == 2 {print $1, $2, $3}' ;;
