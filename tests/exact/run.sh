@@ -161,9 +161,9 @@ esac
 step built $build || finish "failed: it does not build"
 # A processor without floats needs no helper in their place: there is none among what is linked.
 if [ $build = build_bare ]; then
-  floats=$(nm "$program" | awk '{print $NF}' |
-    grep -E '^__(aeabi_([fd](add|r?sub|mul|div|cmp|2)|u?[il]2[fd])|(add|sub|mul|div)[sd]f3|float|fix)' |
-    tr '\n' ' ' || true)
+  floats=$(nm "$program" | awk '{print $NF}' | tr '\n' ' ' |
+    grep -oE '__(aeabi_([fd](add|r?sub|mul|div|cmp|2)|u?[il]2[fd])|(add|sub|mul|div)[sd]f3|fix)' ||
+    true)
   [ -z "$floats" ] || finish "failed: floating point is in it: $floats"
 fi
 case $runs_by in
