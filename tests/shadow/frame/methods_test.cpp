@@ -144,7 +144,8 @@ TEST(Methods, PlanAndStagesAskTheRow) {
 TEST(Methods, LedgerAndCostsAskTheRow) {
     for (const Method& m : methods()) {
         SCOPED_TRACE(m.name);
-        const PlannedScene planned = scene_of(m);
+        PlannedScene planned = scene_of(m);
+        planned.settings.machine.xy_bits = 6;
         PlannedFrame f(planned);
         const FramePlan plan = make_plan(f.inputs);
         f.draw(plan);

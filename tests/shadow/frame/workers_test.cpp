@@ -65,18 +65,19 @@ TEST(Workers, AnyNumberDrawsTheSameFrame) {
         if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
         for (const bool all_work : {false, true}) {
             Shuffled two(2), seven(7), sixty_four(max_workers);
-            for (Shuffled* workers : {&two, &seven, &sixty_four}) {
+            for (Shuffled* workers : {&seven, &two, &sixty_four}) {
                 expect_same_from(planned, workers->executor(), all_work);
                 parts += workers->parts();
+                if (umbra78::test::sanitized) break;
             }
         }
         if (HasFailure()) return;
     }
-    EXPECT_GT(parts, 10000u) << "the work is shared";
+    EXPECT_GT(parts, umbra78::test::sanitized ? 1000u : 10000u) << "the work is shared";
 }
 
 TEST(Workers, ThreadsDrawTheSameFrame) {
-    for (const std::size_t workers : {1u, 2u, 3u, 7u}) {
+    for (const std::size_t workers : {3u, 1u, 7u}) {
         Threads threads(workers);
         for (PlannedScene& planned : test::planned_scenes()) {
             SCOPED_TRACE(planned.name + ", " + std::to_string(workers));
@@ -84,6 +85,7 @@ TEST(Workers, ThreadsDrawTheSameFrame) {
             expect_same_from(planned, threads.executor(), false);
             if (HasFailure()) return;
         }
+        if (umbra78::test::sanitized) return;
     }
 }
 
@@ -179,6 +181,7 @@ TEST(Census, IsOfThePixelsThatAreDrawn) {
 
 // A line through the eye uses up its splits. It is drawn by one worker, and so as by one alone.
 TEST(Census, SeesAPatchThatUsesUpItsSplits) {
+    if (umbra78::test::sanitized) GTEST_SKIP() << "a million splits, one like the other";
     PlannedScene planned = test::planned_figure("through the eye", 3);
     planned.settings.machine.coefficient_bits = 24;
     planned.settings.machine.xy_bits = 4;

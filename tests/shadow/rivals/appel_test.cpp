@@ -89,7 +89,8 @@ TEST(Appel, EqualsBruteForceInTheNamedScenes) {
 }
 
 TEST(Appel, EqualsBruteForceInTheFiguresScene) {
-    for (const int levels : {1, 2, 3}) expect_mask_in(FiguresScene(levels, 9, -100));
+    for (int levels = 1; levels <= figures_levels; ++levels)
+        expect_mask_in(FiguresScene(levels, 9, -100));
     expect_mask_in(FiguresScene(4, 7, -100), false);
 }
 

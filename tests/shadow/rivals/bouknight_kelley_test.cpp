@@ -68,7 +68,7 @@ void expect_equal_in(const Tested& scene, const std::string& name) {
 }
 
 TEST(BouknightKelley, EqualsBruteForceInTheFiguresScene) {
-    for (const int levels : {1, 2, 3})
+    for (int levels = 1; levels <= figures_levels; ++levels)
         expect_equal_in(FiguresScene(levels, 9, -100), "levels " + std::to_string(levels));
     expect_equal_in(FiguresScene(4, 7, -100), "levels 4");
 }

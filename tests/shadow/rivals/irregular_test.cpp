@@ -47,7 +47,8 @@ TEST(Irregular, EqualsBruteForceInTheNamedScenes) {
 }
 
 TEST(Irregular, EqualsBruteForceInTheFiguresScene) {
-    for (const int levels : {1, 2, 3}) expect_lists_equal_in(FiguresScene(levels, 9, -100));
+    for (int levels = 1; levels <= figures_levels; ++levels)
+        expect_lists_equal_in(FiguresScene(levels, 9, -100));
     expect_lists_equal_in(FiguresScene(4, 7, -100));
 }
 

@@ -156,7 +156,7 @@ TEST(Perimeters, CountTheAreasOfNamedScenes) {
 }
 
 TEST(Perimeters, CountsOfTheFiguresScene) {
-    for (const int levels : {1, 2, 3}) {
+    for (int levels = 1; levels <= figures_levels; ++levels) {
         const FiguresScene scene(levels);
         check_perimeters(scene, 1 << levels, false);
         check_perimeters(scene, 1 << levels, true);

@@ -19,6 +19,9 @@ inline constexpr Centre straight_ahead{0, 0, -1, 0};
 // How many random scenes every rival is compared in.
 inline constexpr std::uint32_t random_scenes =
     static_cast<std::uint32_t>(umbra78::test::effort(10'000));
+// The figures' scene is diced into 2^levels a side, at 512 x 512 pixels. Sanitizers see each path
+// by the second level, where the third takes them ten seconds a rival.
+inline constexpr int figures_levels = umbra78::test::sanitized ? 2 : 3;
 // What they should come to at least, where all of them come to this.
 constexpr std::uint64_t enough(std::uint64_t of_all) {
     return umbra78::test::sanitized ? of_all / 16 : of_all;

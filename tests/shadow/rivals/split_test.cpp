@@ -104,7 +104,7 @@ TEST(Split, CountsTheAreasOfNamedScenes) {
 }
 
 TEST(Split, CountsOfTheFiguresScene) {
-    for (const int levels : {1, 2, 3}) {
+    for (int levels = 1; levels <= figures_levels; ++levels) {
         const FiguresScene scene(levels);
         check_split(scene, 1 << levels, true);
         check_split(scene, 1 << levels, false);
