@@ -296,8 +296,8 @@ TEST_F(Study, TwoDoNotRunInOneFolder) {
     run_well(small + "--out a");
 }
 
-// Every study, small, from its cases to its page; and some of its rows once more. Those that vary
-// the picture's size are drawn smaller still: at their own quick sizes long_quick_test.cpp runs them.
+// Every study, small, from its cases to its page; and some of its rows once more. Those with a
+// picture's size to set are drawn smaller still; long_quick_test.cpp runs all at their own sizes.
 TEST_F(Study, EachQuickRunEndsInItsPageAndIsVerified) {
     if (umbra78::test::sanitized) GTEST_SKIP() << "minutes; their parts are tested alone";
     EXPECT_GE(study::studies().size(), 6u);
