@@ -25,15 +25,16 @@ std::span<std::uint8_t> scratch(FrameBuffers<Depth>& frame, std::size_t plane = 
 // samples at the stored depth compete, so that each comes out as in a frame drawn anew.
 template <class Depth>
 void clear_intensities(const hw::MachineSpec& spec, hw::FrameStore<Depth>& store) {
-    const auto start = [&](std::span<std::uint8_t> planes) {
-        for (std::size_t k = 0; k < planes.size(); ++k)
-            planes[k] = store.depth[k % store.depth.size()] == spec.background() ? 0 : 255;
+    const std::size_t pixels = store.depth.size();
+    const auto background = static_cast<Depth>(spec.background());
+    const auto start = [&](auto planes, auto nothing, auto greatest) {
+        for (std::size_t p = 0; p < planes.size(); p += pixels)
+            for (std::size_t k = 0; k < pixels; ++k)
+                planes[p + k] = store.depth[k] == background ? nothing : greatest;
     };
-    start(store.intensity);
-    start(store.direct);
-    for (std::size_t k = 0; k < store.normal.size(); ++k)
-        store.normal[k] = store.depth[k % store.depth.size()] == spec.background()
-                              ? hw::no_normal : hw::NormalWord{0xffff};
+    start(store.intensity, std::uint8_t{0}, std::uint8_t{255});
+    start(store.direct, std::uint8_t{0}, std::uint8_t{255});
+    start(store.normal, hw::no_normal, hw::NormalWord{0xffff});
 }
 
 void light_up(std::span<std::uint8_t> mask) { std::fill(mask.begin(), mask.end(), mask_lit); }

@@ -31,24 +31,33 @@ std::string hash_of(const Buffer& buffer) {
                        buffer.size_px, hash.value());
 }
 
-std::vector<std::uint8_t> depth_as_gray(const Buffer& depth) {
-    constexpr std::uint32_t brightest = 255, darkest = 40;
-    std::uint32_t nearest = depth.maxval, farthest = 0;
-    for (std::size_t at = 0; at < depth.pixels(); ++at) {
-        const std::uint32_t code = depth.at(at);
-        if (code == depth.maxval) continue;  // background
+namespace {
+
+// A quotient of integers this small, in double precision, is floored to the same as in integers:
+// where it is not whole, it is farther from a whole number than it is rounded by.
+template <class Code>
+std::vector<std::uint8_t> gray_of(std::span<const Code> codes, std::uint32_t background) {
+    constexpr int brightest = 255, darkest = 40;
+    std::uint32_t nearest = background, farthest = 0;
+    for (const std::uint32_t code : codes) {
         nearest = std::min(nearest, code);
-        farthest = std::max(farthest, code);
+        farthest = std::max(farthest, code == background ? 0 : code);
     }
-    const std::uint64_t range = std::max(farthest, nearest + 1) - nearest;
-    std::vector<std::uint8_t> gray(depth.pixels());
-    for (std::size_t at = 0; at < depth.pixels(); ++at) {
-        const std::uint32_t code = depth.at(at);
-        if (code == depth.maxval) continue;
-        const std::uint64_t down = (brightest - darkest) * std::uint64_t{code - nearest} / range;
-        gray[at] = static_cast<std::uint8_t>(brightest - down);
+    const double range = std::max(farthest, nearest + 1) - nearest;
+    std::vector<std::uint8_t> gray(codes.size());
+    for (std::size_t at = 0; at < codes.size(); ++at) {
+        const bool drawn = codes[at] != background;
+        const std::uint32_t behind = drawn ? codes[at] - nearest : 0;
+        const double down = double{brightest - darkest} * behind / range;
+        gray[at] = static_cast<std::uint8_t>(drawn ? brightest - static_cast<int>(down) : 0);
     }
     return gray;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> depth_as_gray(const Buffer& depth) {
+    return std::visit([&](auto codes) { return gray_of(codes, depth.maxval); }, depth.values);
 }
 
 }  // namespace umbra78::tools

@@ -26,8 +26,11 @@ bool on_edge(const Truth& truth, std::size_t at) {
 std::vector<std::uint8_t> error_map(const SceneTruth& truth, const RenderJob& job) {
     const std::vector<std::uint8_t> visible = job.visible();
     const MachineMask mask{job.bytes(Plane::filtered), visible};
+    // A truth that does not know how deep its surfaces lie cannot say which they are.
     const std::vector<Covered> covered =
-        coverage_image(truth.truth, job.buffer(Plane::observer_z), truth.observer);
+        truth.truth.depth.empty()
+            ? std::vector<Covered>(visible.size(), Covered::right)
+            : coverage_image(truth.truth, job.buffer(Plane::observer_z), truth.observer);
     const std::vector<double> error = error_image(truth.truth, mask, truth.unlit_side);
     const std::span<const std::uint8_t> picture = job.bytes(Plane::picture);
     std::vector<std::uint8_t> map;

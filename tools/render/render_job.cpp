@@ -310,9 +310,9 @@ std::vector<std::uint8_t> RenderJob::visible() const {
     std::vector<std::uint8_t> seen;
     std::visit(
         [&](const auto& frame) {
-            seen.reserve(frame.observer.depth.size());
-            for (const std::uint32_t code : frame.observer.depth)
-                seen.push_back(code != background);
+            const auto& depth = frame.observer.depth;
+            seen.resize(depth.size());
+            for (std::size_t at = 0; at < depth.size(); ++at) seen[at] = depth[at] != background;
         },
         frame_);
     return seen;

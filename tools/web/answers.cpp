@@ -41,17 +41,23 @@ ordered_json view_json(const std::string& name, const raster::View& view,
             {"extent", q(view.extent, raster::world_fraction)}};
 }
 
-std::string why_no_truth(const LoadedScene& scene) {
-    return scene.has_closed_form() ? "of a frame this large it takes too long in a browser"
-                                   : "exact truth of patches and meshes needs Embree, which the "
-                                     "program umbra78 has and a browser has not";
-}
-
 // As umbra78 render has them: a rate of no pixels is n/a.
 ordered_json rates_json(const ShadowError& error) {
     ordered_json json{{"false_shadow", nullptr}, {"false_light", nullptr}};
     if (error.lit > 0) json["false_shadow"] = error.false_shadow_rate();
     if (error.shadowed > 0) json["false_light"] = error.false_light_rate();
+    return json;
+}
+
+// Against polygons there are rates and no bands, edges or coverage.
+ordered_json polygon_error_json(const SceneTruth& truth, const MachineMask& mask) {
+    const ShadowError all = shadow_error(truth.truth, mask, truth.unlit_side);
+    ordered_json json = rates_json(all);
+    json["lit_pixels"] = all.lit;
+    json["shadowed_pixels"] = all.shadowed;
+    const GradedError graded = graded_error(truth.truth, mask, truth.unlit_side);
+    json["graded"] = {{"mean_absolute", graded.mean_absolute()}};
+    json["truth"] = {{"by", "polygons"}};
     return json;
 }
 
@@ -78,7 +84,7 @@ ordered_json frame_json(Session& session) {
                                           scene.lights[l].view, scene.origin));
     json["settings"] = settings_json(job.settings());
     json["method"] = shadow::method_of(job.inputs()).name;
-    json["has_truth"] = scene.has_closed_form();
+    json["has_closed_form"] = scene.has_closed_form();
     json["warnings"] = lines_of(scene.warnings);
     json["isolated_pixels"] =
         isolated_pixels(session.mask(), job.settings().machine.size_px());
@@ -107,20 +113,24 @@ ordered_json machine_json(const Session& session) {
 
 ordered_json error_json(Session& session) {
     const SceneTruth* truth = session.truth();
-    if (truth == nullptr) return {{"error", nullptr}, {"because", why_no_truth(session.scene())}};
-    const ShadowReport report = session.error();
+    if (truth == nullptr) return {{"error", nullptr}, {"because", session.why_no_truth()}};
     const study::ErrorSpectrum whole = study::error_spectrum(*truth, session.mask(), 0);
     const Peak peak = highest_peak(
         periodogram(study::busiest_window(*truth, session.mask(), spectrum_px), spectrum_px),
         spectrum_px);
-    ordered_json json{{"error", to_json(std::optional(report))},
-                      {"windows", whole.flatness.windows}};
+    ordered_json json{{"windows", whole.flatness.windows}};
     json["flatness"] =
         whole.flatness.windows > 0 ? ordered_json(whole.flatness.median) : ordered_json(nullptr);
     json["period_px"] =
         peak.over_mean > 0 ? ordered_json(peak.at.period_px()) : ordered_json(nullptr);
     json["peak_over_mean"] = peak.over_mean;
-    json["warnings"] = lines_of(frame_warnings(session.scene(), session.job(), report));
+    if (truth->closed_form) {
+        const ShadowReport report = session.error();
+        json["error"] = to_json(std::optional(report));
+        json["warnings"] = lines_of(frame_warnings(session.scene(), session.job(), report));
+    } else {
+        json["error"] = polygon_error_json(*truth, session.mask());
+    }
     return json;
 }
 

@@ -22,7 +22,7 @@ nlohmann::ordered_json hashes_json(const Session&);
 nlohmann::ordered_json machine_json(const Session&);
 
 // Error against exact truth, isolated pixels, the spectrum's flatness and its highest line; or
-// {"error": null, "because": ...} where truth has no closed form.
+// {"error": null, "because": ...} where there is no truth (Session::truth).
 nlohmann::ordered_json error_json(Session&);
 
 // Every word of one pixel's way (tools/watch/pixel_trace.hpp), and where in the light's view it was
@@ -35,11 +35,13 @@ nlohmann::ordered_json around_json(const Session&, const std::string& plane, int
 
 // A picture of size x size pixels, four bytes each: a plane of the frame by its name, Z as grey;
 // "picture" and "intensity" of a coloured frame in colour; "error", the error map; "spectrum".
-// Empty if there is no such thing.
+// Empty if there is no such thing. A plane is made `by` times smaller each way where its size is a
+// multiple of that.
 struct Picture {
     int size = 0;
     std::vector<std::uint8_t> rgba;
 };
-Picture picture_of(Session&, const std::string& name);
+inline constexpr int smallest_share = 16;
+Picture picture_of(Session&, const std::string& name, int by = 1);
 
 }  // namespace umbra78::tools::web

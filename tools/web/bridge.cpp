@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace umbra78::tools::web {
@@ -44,7 +45,8 @@ ordered_json draw(Session& session, const ordered_json& asked) {
 }
 
 ordered_json picture(Bridge::Kept& kept, const ordered_json& asked) {
-    kept.picture = picture_of(kept.session, asked.value("name", ""));
+    const int by = std::clamp(asked.value("by", 1), 1, smallest_share);
+    kept.picture = picture_of(kept.session, asked.value("name", ""), by);
     return {{"size", kept.picture.size},
             {"at", reinterpret_cast<std::uintptr_t>(kept.picture.rgba.data())},
             {"bytes", kept.picture.rgba.size()}};

@@ -1,5 +1,7 @@
 #include "tools/web/session.hpp"
 
+#include "tools/web/polygon_truth.hpp"
+
 #include <utility>
 
 namespace umbra78::tools::web {
@@ -20,6 +22,10 @@ std::string key_of_truth(const Request& request, std::string_view text, int size
     for (const std::string& each : request.set)
         if (each.substr(0, each.find('=')).find('.') != std::string::npos) key += each + "\n";
     return key.append(text);
+}
+
+bool fits_page(const LoadedScene& scene) {
+    return scene.settings.machine.size_px() <= most_traced_px;
 }
 
 }  // namespace
@@ -56,11 +62,16 @@ bool Session::job_has_room_for(const LoadedScene& next) const {
 const SceneTruth* Session::truth() {
     if (traced_key_ != truth_key_) {
         truth_.reset();
-        const bool fits = scene_->settings.machine.size_px() <= most_traced_px;
-        if (scene_->has_closed_form() && fits) truth_ = trace(*scene_);
+        if (fits_page(*scene_))
+            truth_ = scene_->has_closed_form() ? trace(*scene_) : polygon_truth(*scene_);
         traced_key_ = truth_key_;
     }
     return truth_ ? &*truth_ : nullptr;
+}
+
+std::string Session::why_no_truth() const {
+    if (!fits_page(*scene_)) return "of a frame this large it takes too long in a browser";
+    return scene_->has_closed_form() ? "" : why_no_polygon_truth(*scene_);
 }
 
 MachineMask Session::mask() {

@@ -42,11 +42,12 @@ public:
     const LoadedScene& scene() const { return *scene_; }  // of the frame that was drawn
     const RenderJob& job() const { return *job_; }
 
-    // Traced where it is not known yet. Null where there is no closed form, or
-    // the frame is too large: n/a.
+    // Traced where it is not known yet: by the closed form, else by the polygons. Null, and
+    // why_no_truth() says why, where there is neither, or the frame is too large: n/a.
     const SceneTruth* truth();
+    std::string why_no_truth() const;
     bool knows_truth() const { return truth_ && traced_key_ == truth_key_; }
-    // Of the first light's mask, after the filters.
+    // Of the first light's mask, after the filters; of a truth of closed form.
     ShadowReport error();
     MachineMask mask();
     // Its rates alone, which take no time worth speaking of; needs knows_truth().

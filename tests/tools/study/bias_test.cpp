@@ -1,6 +1,7 @@
 // The bias study: the bound against its formula and the machine, the search, the gap, the units.
 #include "tests/tools/study/study_cases.hpp"
 #include "tools/cli/study_list.hpp"
+#include "tools/study/bias/maps.hpp"
 #include "tools/study/bias/report.hpp"
 #include "tools/study/bias/search.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace umbra78::tools::study {
 namespace {
@@ -173,12 +175,41 @@ TEST(BiasStudy, RunsASweepAndASearch) {
     EXPECT_EQ(form.number("least_outside_quanta"), search.number("least_outside_quanta"))
         << "the first form is the constant alone";
 
+    const auto is_map = [](const Case& c) { return c.extra.at(0).second == "map"; };
+    EXPECT_EQ(std::count_if(cases.begin(), cases.end(), is_map), 10)
+        << "the scene's own map and four of today, as deep as it is and 32 times as deep";
+    request.vary = {{"lookup", {"nearest"}}};
+    const auto varied = study->cases(request);
+    EXPECT_EQ(std::count_if(varied.begin(), varied.end(), is_map), 0) << "of no other grid";
+    request.vary.clear();
+
     request.automatic = true;
     const auto own = study->cases(request);
     ASSERT_EQ(own.size(), 1u);
     EXPECT_EQ(own[0].extra.at(0).second, "least");
     request.vary = {{"bias", {"3"}}, {"lookup", {"nearest", "bilinear"}}};
     EXPECT_EQ(study->cases(request).size(), 2u) << "the search finds the bias by itself";
+}
+
+// A step of 16 bits is 32 times as large in a range 32 times as deep, and so is the same bias fewer
+// steps; a float has steps to spare.
+TEST(BiasStudy, MapsOfTodayStandBesideTheScenesOwn) {
+    Request request = small_sphere();
+    request.quick = true;
+    const auto study = make_bias_study();
+    std::map<std::string, Row> rows;
+    for (const Case& c : map_cases(request)) {
+        const std::string name = c.extra.at(1).second + " " + c.extra.at(2).second;
+        rows.emplace(name, figures_of(*study, request, c));
+        EXPECT_NEAR(rows.at(name).number("bias_texels"), 0.5, 1e-9) << name;
+        EXPECT_GT(rows.at(name).number("false_shadow"), 0.1) << name;
+        EXPECT_GT(rows.at(name).number("least_outside_texels"), 0.5) << name;
+    }
+    ASSERT_EQ(rows.size(), 10u);
+    const auto quanta = [&](const char* name) { return rows.at(name).number("bias_quanta"); };
+    EXPECT_DOUBLE_EQ(quanta("d16_unorm 1"), 32 * quanta("d16_unorm 32"));
+    EXPECT_DOUBLE_EQ(quanta("d24 1"), 256 * quanta("d16_unorm 1"));
+    EXPECT_DOUBLE_EQ(quanta("d32f 1"), 4 * quanta("d24 1"));
 }
 
 TEST(UnitSpreads, PutsTheSteadiestUnitFirst) {

@@ -1,14 +1,17 @@
 // umbra78 study bias: which bias, and in which unit?
 //
-// There are two kinds of case. One is a bias, and both rates of error with it. The other is a
+// There are several kinds of case. One is a bias, and both rates of error with it. The other is a
 // search by bisection, in whole quanta, for the least bias with under 0.1 % false shadow, over all
 // pixels and outside the edge band (one light texel mapped back to the observer). Bisection is
 // sound because false shadow never rises with the bias: every pixel's depth only falls. Searches
 // at other widths show in which unit the least bias stays the same. A third kind searches for the
-// least constant bias that is needed beside each form of bias that follows the surface.
+// least constant bias that is needed beside each form of bias that follows the surface. A fourth
+// has depth maps of today beside the scene's own: both.
+#include "tools/study/bias/maps.hpp"
 #include "tools/study/bias/report.hpp"
 #include "tools/study/bias/search.hpp"
 #include "tools/study/grid.hpp"
+#include "tools/truth/spectrum.hpp"
 
 #include <array>
 #include <cmath>
@@ -128,7 +131,16 @@ std::vector<Case> BiasStudy::cases(const Request& request) const {
     add_width("xy_bits", request.quick ? "8" : "7 8 10", own.xy_bits);
     add_width("z_bits", request.quick ? "12" : "12 14 20", own.z_bits);
     all = joined(std::move(all), forms(search, request.quick));
+    if (request.vary.empty()) all = joined(std::move(all), map_cases(request));
     return all;
+}
+
+// How far the error is from noise.
+void set_flatness(Row& row, const SceneTruth& truth, const MachineMask& mask) {
+    const auto flatness =
+        median_local_flatness(error_image(truth.truth, mask), truth.truth.size,
+                              lit_pixels(truth.truth, mask));
+    row.set("flatness", flatness.windows > 0 ? Value(flatness.median) : Value());
 }
 
 Row BiasStudy::run(const Request&, const Case& c, const LoadedScene* drawn) const {
@@ -136,13 +148,14 @@ Row BiasStudy::run(const Request&, const Case& c, const LoadedScene* drawn) cons
     const auto traced = truths_.needed(scene);
     const LightUnits units = light_units(scene);
     BiasedFrames frames(scene, *traced);
+    const bool map = c.extra.at(0).second == "map";
     const bool search = c.extra.at(0).second != "rates";
     const double nan = std::nan("");
     const LeastBias min = search ? min_bias(frames) : LeastBias{nan, nan};
     // A search's rates are those at the least bias outside the band, or where it gave up.
     const double found =
         std::isnan(min.outside) ? max_bias_quanta(scene.settings.machine) : min.outside;
-    const double bias = search ? found : frames.bias_quanta();
+    const double bias = search && !map ? found : frames.bias_quanta();
 
     Row row;
     set_in_three_units(row, "bias", units, bias);
@@ -155,6 +168,7 @@ Row BiasStudy::run(const Request&, const Case& c, const LoadedScene* drawn) cons
     set_in_three_units(row, "bound", units, frames.bound({}));
     set_in_three_units(row, "bound_outside", units, frames.bound(traced->band));
     row.set("beyond_bound", std::int64_t{frames.beyond_bound(mask, bias)});
+    if (map) set_flatness(row, traced->truth, mask);
     return row;
 }
 
@@ -162,7 +176,11 @@ std::vector<ColumnMeaning> BiasStudy::columns() const {
     std::vector<ColumnMeaning> all(std::begin(rate_columns), std::end(rate_columns));
     for (const ColumnMeaning& own : std::initializer_list<ColumnMeaning>{
              {"find", "rates: both errors at one bias; least: a search for the least bias; form: "
-                      "the same beside a bias that follows the surface"},
+                      "the same beside a bias that follows the surface; map: both for a depth map"},
+             {"map", "of a row of kind map: the scene's own depth map, or a profile of today's"},
+             {"range", "and how many times as deep the light's range is as the scene has it"},
+             {"flatness", "and the median spectral flatness of 32 x 32 windows of the error: white "
+                          "noise 0.56, a pattern towards 0; empty without 16 errors in a window"},
              {"bias_*", "the bias in quanta of the light's Z, light texels, world units; of a "
                         "search the one that its rates are of: the least outside the edge band"},
              {"gap_*", "the distance from its caster at which a shadow begins, in the same units"},

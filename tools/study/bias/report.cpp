@@ -1,6 +1,7 @@
 #include "tools/study/bias/report.hpp"
 
 #include "tools/study/bias/forms.hpp"
+#include "tools/study/bias/maps.hpp"
 #include "tools/study/bias/search.hpp"
 #include "tools/study/report_sections.hpp"
 
@@ -287,6 +288,7 @@ void report_bias(const Request& request, std::span<const Row> all, Report& repor
         if (!request.automatic) return report_all(rows, some);
         for (const Row& row : rows) answer_scene(row, some);
     });
+    report_maps(request, measured(all, "map"), report);
 }
 
 }  // namespace umbra78::tools::study

@@ -7,6 +7,11 @@ const first = ['bias', 'lookup', 'dither', 'dequantize', 'low_pass', 'xy_bits', 
 const units = ['quanta', 'texels', 'world'];
 const mostSteps = 8192;  // a slider with more is a number alone
 
+// Written only where it differs: each frame that is dragged puts the values of all settings.
+function assign(control, value) {
+  if (control.value !== String(value)) control.value = value;
+}
+
 export class Controls {
   #change;    // (key, value) or (key, null), which is the scene's own
   #rows = new Map();
@@ -61,7 +66,7 @@ export class Controls {
   #choice({ key, choices }, id) {
     const select = element('select', { id, onchange: () => this.#change(key, select.value) },
                            ...choices.map((name) => element('option', { value: name }, name)));
-    return { box: select, put: (value) => { select.value = value; } };
+    return { box: select, put: (value) => assign(select, value) };
   }
 
   #number(setting, id) {
@@ -72,11 +77,11 @@ export class Controls {
                                       step: bits > 0 ? 'any' : 1 });
     number.onchange = () => this.#change(key, number.value || null);
     if ((most - least) / step > mostSteps)
-      return { box: number, put: (value) => { number.value = value; } };
+      return { box: number, put: (value) => assign(number, value) };
     const slider = element('input', { type: 'range', min: least, max: most, step,
                                       'aria-label': key });
     slider.oninput = () => { number.value = slider.value; this.#change(key, slider.value); };
-    const put = (value) => { number.value = slider.value = value; };
+    const put = (value) => { assign(number, value); assign(slider, value); };
     return { box: element('div.ranged', {}, slider, number), put };
   }
 

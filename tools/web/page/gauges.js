@@ -12,7 +12,7 @@ const meters = [
   ['flatness', 'flatness', `of the error\u2019s spectrum: near 0 is moire, ${WHITE_NOISE} noise`],
   ['period', 'period', 'of the spectrum\u2019s highest line'],
   ['cycles', 'machine cycles', 'of the whole frame'],
-  ['host', 'this computer', 'what of the frame was drawn anew'],
+  ['host', 'this computer', 'the frame from the change to its pictures'],
 ];
 
 export class Gauges {
@@ -35,12 +35,12 @@ export class Gauges {
 
   takeFrame(frame) {
     const ms = frame.host_ms;
-    this.#put('host', `${ms.total.toFixed(1)} ms`);
+    this.#put('host', `${frame.frame_ms.toFixed(1)} ms`);
     this.#put('isolated', grouped(frame.isolated_pixels));
     if (frame.rates) this.#takeRates(frame.rates);
     byId('help-host').textContent = `light ${ms.light.toFixed(1)}, observer ` +
       `${ms.observer.toFixed(1)}, shadow ${ms.post_process.toFixed(1)}, filters ` +
-      `${ms.filters.toFixed(1)}`;
+      `${ms.filters.toFixed(1)}, the rest reading the scene, report and pictures`;
   }
 
   takeMachine({ cycles, ms }) {
@@ -55,7 +55,10 @@ export class Gauges {
 
   takeError(answer) {
     const { error } = answer;
-    byId('why-no-truth').textContent = error ? '' : `Errors: n/a (${answer.because}).`;
+    const by = error?.truth.by === 'polygons'
+      ? 'Errors are against the facets that patches are diced into, found exactly by the ' +
+        'alias-free shadow map: patches have no closed form.' : '';
+    byId('why-no-truth').textContent = error ? by : `Errors: n/a (${answer.because}).`;
     this.#takeRates(error?.at_threshold ?? error);
     this.#put('mean', percent(error?.graded.mean_absolute));
     this.#put('flatness', answer.flatness ? answer.flatness.toFixed(2) : 'n/a');

@@ -49,9 +49,10 @@ export class Machine {
     return JSON.parse(this.#text(this.#exports.answer(), bytes));
   }
 
-  // A copy of the picture's bytes, four a pixel; null if the frame has no such picture.
-  picture(name) {
-    const { size, at, bytes } = this.ask({ do: 'picture', name });
+  // A copy of the picture's bytes, four a pixel, `by` times smaller each way; null if the frame has
+  // no such picture.
+  picture(name, by = 1) {
+    const { size, at, bytes } = this.ask({ do: 'picture', name, by });
     if (size === 0) return null;
     const inMachine = new Uint8ClampedArray(this.#exports.memory.buffer, at, bytes);
     return { name, size, rgba: inMachine.slice() };

@@ -10,7 +10,8 @@ import { commandOf, firstState, fitsAddress, fromHash, fromPreset, isPreset, ove
          toHash } from './state.js';
 import { Views, drawnNames, settledNames, shown } from './views.js';
 
-const settleMs = 80;  // without a further change before what takes longer is asked for
+const settleMs = 80;    // without a further change before what takes longer is asked for,
+const longRestMs = 500;  // and before what takes about a second: truth without a closed form
 
 const client = new Client(byId('worker-text').textContent);
 let state = fromHash(location.hash);
@@ -23,10 +24,13 @@ let views, controls, gauges, pixelPanel, pipeline;
 
 const sceneRequest = ({ scene, text, set }) => ({ scene, text, set: overrides(set) });
 
+// The picture on the stage whole, the others as tiles: settle() has them whole once nothing moves.
 function draw() {
   const mine = ++version;
   delete document.documentElement.dataset.settled;
-  client.draw({ ...sceneRequest(state), names: drawnNames }, (answer) => take(answer, mine));
+  const names = drawnNames.filter((name) => name === state.show);
+  const tiles = drawnNames.filter((name) => name !== state.show);
+  client.draw({ ...sceneRequest(state), names, tiles }, (answer) => take(answer, mine));
   showState();
 }
 
@@ -37,7 +41,8 @@ function take(answer, mine) {
   views.expect();
   gauges.expect();
   views.take(answer.pictures);
-  const names = answer.pictures.map((picture) => picture.name);
+  views.takeTiles(answer.tiles);
+  const names = [...answer.pictures, ...answer.tiles].map((picture) => picture.name);
   views.lacks(drawnNames.filter((name) => !names.includes(name)));
   gauges.takeFrame(answer);
   controls.show(answer, state.set);
@@ -49,12 +54,14 @@ function take(answer, mine) {
 // What takes longer, one request after the other, as long as the state stays.
 async function settle(mine) {
   const steps = [
+    ['pictures', (answer) => views.take(answer), { names: drawnNames }],
     ['hashes', (answer) => views.takeHashes(answer)],
+    ['machine', (answer) => gauges.takeMachine(answer)],
     ['error', (answer) => gauges.takeError(answer)],
     ['pictures', (answer) => takeSettled(answer), { names: settledNames }],
-    ['machine', (answer) => gauges.takeMachine(answer)],
   ];
   for (const [what, show, more] of steps) {
+    if (what === 'error' && !frame.has_closed_form && !frame.rates) await rest(longRestMs);
     if (mine !== version) return;
     const answer = await client.ask({ do: what, ...more });
     if (mine !== version) return;
@@ -64,6 +71,8 @@ async function settle(mine) {
   if (state.pixel) await follow(mine);
   if (mine === version) document.documentElement.dataset.settled = String(mine);
 }
+
+const rest = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
 
 function takeSettled(pictures) {
   views.take(pictures);
@@ -176,10 +185,8 @@ function followAt(x, y, dx, dy) {
 
 function keepOther() {
   state = { ...state, other: { scene: state.scene, text: state.text, set: state.set } };
-  views.keepAsOther();
-  views.wipe(state.wipe);
-  writeAddress();
   showState();
+  return drawOther();
 }
 
 function dropOther() {
@@ -196,12 +203,12 @@ function wipeTo(share) {
   writeAddress();
 }
 
-// A link with two settings: the left one is drawn first.
+// The left one of two settings; in one request, so that no other frame comes between.
 async function drawOther() {
-  const answer = await client.ask({ do: 'draw', ...sceneRequest(state.other), names: drawnNames });
+  const answer = await client.ask({ do: 'draw', ...sceneRequest(state.other),
+                                    names: [...drawnNames, ...settledNames] });
   if (answer.problem) return report(answer.problem);
-  views.takeOther([...answer.pictures,
-                   ...await client.ask({ do: 'pictures', names: settledNames })]);
+  views.takeOther(answer.pictures);
   wipeTo(state.wipe);
 }
 

@@ -56,13 +56,18 @@ export class Views {
 
   // Pictures of a frame. Those that take longer come later and are marked until then.
   take(pictures) {
-    for (const picture of pictures) {
-      this.#pictures.set(picture.name, picture);
-      const tile = this.#tiles.get(picture.name);
-      paint(tile.canvas, picture);
-      tile.tile.classList.remove('stale', 'absent');
-    }
+    for (const picture of pictures) this.#pictures.set(picture.name, picture);
+    this.takeTiles(pictures);
     if (pictures.some((picture) => picture.name === this.#show)) this.#paintStage();
+  }
+
+  // The same, smaller: for the tiles alone.
+  takeTiles(pictures) {
+    for (const picture of pictures) {
+      const { tile, canvas } = this.#tiles.get(picture.name);
+      paint(canvas, picture);
+      tile.classList.remove('stale', 'absent');
+    }
   }
 
   expect() {
@@ -125,7 +130,6 @@ export class Views {
 
   // --- the wipe between two settings
 
-  keepAsOther() { this.#others = new Map(this.#pictures); this.#paintStage(); }
   takeOther(pictures) {
     this.#others = new Map(pictures.map((picture) => [picture.name, picture]));
     this.#paintStage();

@@ -12,15 +12,21 @@ async function start({ wasm, held }) {
            goldens: files.get('goldens'), scenes: [...files.keys()] };
 }
 
-function pictures(names) {
-  return names.map((name) => machine.picture(name)).filter((picture) => picture !== null);
+const tileShare = 4;  // tiles of a frame that is dragged are so many times smaller each way
+
+function pictures(names, by = 1) {
+  return names.map((name) => machine.picture(name, by)).filter((picture) => picture !== null);
 }
 
 function answerTo(ask) {
   if (ask.do === 'pictures') return pictures(ask.names);
   if (ask.do === 'draw') lastDraw = ask;
+  const began = performance.now();
   const answer = machine.ask(ask);
-  if (ask.do === 'draw' && !answer.problem && ask.names) answer.pictures = pictures(ask.names);
+  if (ask.do !== 'draw' || answer.problem) return answer;
+  answer.pictures = pictures(ask.names);
+  answer.tiles = pictures(ask.tiles ?? [], tileShare);
+  answer.frame_ms = performance.now() - began;
   return answer;
 }
 
@@ -38,7 +44,8 @@ async function reply({ data: { id, ask, start: first } }) {
   } catch (error) {
     answer = machine ? await recover(ask, error) : { problem: error.message };
   }
-  const drawn = Array.isArray(answer) ? answer : answer.pictures ?? [];
+  const drawn = Array.isArray(answer) ? answer
+                                      : [...answer.pictures ?? [], ...answer.tiles ?? []];
   postMessage({ id, answer }, drawn.map((picture) => picture.rgba.buffer));
 }
 
