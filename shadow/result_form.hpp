@@ -41,10 +41,10 @@ struct ResultLine {
 // What stands for a result that is none or lies far outside of the light's volume.
 inline constexpr std::int32_t no_result = 1 << 28;
 
-// Whether the lanes cover the matrix; then `line` is the frame's first one.
+// Whether the lanes cover the matrix; then `line` is the first one of a strip of columns.
 bool result_lines_cover(const ShadowTest& test, const hw::MatrixWords& matrix);
-void first_result_line(const ShadowTest& test, const hw::MatrixWords& matrix, ResultLine& line,
-                       RowMemory& memory);
+void first_result_line(const ShadowTest& test, const hw::MatrixWords& matrix, int first, int width,
+                       ResultLine& line, RowMemory& memory);
 void next_result_line(ResultLine& line, int lines = 1);
 
 // The definition of a quotient.

@@ -78,7 +78,7 @@ struct Limits {
     int width;
 };
 UMBRA78_LANES Limits limits_of(const RowLine& line, bool four) {
-    const int f = line.fraction_bits, width = line.width;
+    const int f = line.fraction_bits, width = line.size;
     return {all(four ? width << f : width), all(line.background), all(width * width - 1),
             all(((width - 1) << f) - 1), all((1 << f) / 2), all((1 << f) - 1), all(1 << f),
             all(1 << 15), count(f), count(line.xy_bits), count(2 * f), line.texels, width};
@@ -112,7 +112,7 @@ UMBRA78_LANES Mask nearest(const Place& p, Mask visible, const Limits& l, Kind k
 // Lanes whose four texels are not all on the map.
 UMBRA78_LANES Mask at_edge(const RowLine& line, const Place& p, Mask some) {
     alignas(64) std::int32_t x[lanes], y[lanes], code[lanes], dark[lanes];
-    const std::int32_t edge = line.width / 2 << line.fraction_bits;
+    const std::int32_t edge = line.size / 2 << line.fraction_bits;
     store(x, p.x);
     store(y, p.y);
     store(code, p.code);
@@ -226,7 +226,7 @@ UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, Kind kind) {
         for (int i = 0; i < x; ++i) mask[i] = 0;
         for (int i = end; i < line.width; ++i) mask[i] = 0;
     }
-    const std::int32_t edge = line.width / 2 << line.fraction_bits;
+    const std::int32_t edge = line.size / 2 << line.fraction_bits;
     const Share shares[3] = {share_of(line, m, 0, edge), share_of(line, m, 1, edge),
                              share_of(line, m, 2, line.offset)};
     const Limits limits = limits_of(line, kind.four);

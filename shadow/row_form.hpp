@@ -22,14 +22,15 @@ struct RowShare {
     int shift;
 };
 
-// A scan line's work. Plain members only: the lanes' text names no template, whose copy for one
-// instruction set the linker could take for all.
+// A scan line's work, as far as it lies in a strip of at most widest_row columns. Plain members
+// only: the lanes' text names no template, whose copy for one instruction set the linker could take
+// for all.
 struct RowLine {
     // of the frame
     const ShadowTest* test;
     const LightMap<hw::Depth16>* light;
     const hw::Depth16* texels;
-    int width, xy_bits, fraction_bits;
+    int size, xy_bits, fraction_bits;  // of the map and the frame
     int z_up;             // z words are (code - offset) 2^z_up
     std::int32_t offset;  // the code of Z = 0
     std::int32_t background;
@@ -37,8 +38,10 @@ struct RowLine {
     bool bilinear;
     int uniforms;  // bytes in a dither word, 0: none
     std::int32_t amplitude;
+    // of the strip
+    int first, width;  // its columns
     // of the line
-    fixed::NoiseRegister noise{1};  // at its first pixel
+    fixed::NoiseRegister noise{1};  // at the strip's first pixel
     int y;
     const hw::Depth16* depth;
     std::uint8_t* mask;

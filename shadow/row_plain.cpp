@@ -43,11 +43,11 @@ int bytes(std::uint64_t w, int n) { return fixed::sum_of_uniforms(w, n); }
 
 // Four or twelve bytes a word: a pixel's bits are one or three steps of the 64-bit stream.
 template <int K>
-void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, Span span,
+void add_normal(const hw::Dither& d, const hw::MachineSpec& m, std::uint64_t pixel, Span span,
                 RowMemory& memory) {
     const std::int32_t amplitude = fixed::dither_amplitude(K, d.size_q8, m.fraction_bits);
     fixed::NoiseRegister start(d.seed);
-    start.jump(((static_cast<std::uint64_t>(y) << m.xy_bits) + span.first) * 16 * K);
+    start.jump(pixel * 16 * K);
     fixed::NoiseStream64 stream(start);
     for (std::size_t x = span.first; x < span.end; ++x) {
         const std::uint64_t a = stream.next64();
@@ -62,15 +62,19 @@ void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, Span span,
     }
 }
 
-void add_dither(const ShadowTest& s, int y, Span span, RowMemory& memory) {
-    const hw::Dither& d = s.dither;
-    if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, s.machine, y, span, memory);
-    if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, s.machine, y, span, memory);
-    hw::NoiseSource noise(d, s.machine, static_cast<int>(span.first), y);
-    for (std::size_t x = span.first; x < span.end; ++x) {
+void add_dither(const RowLine& line, Span span, RowMemory& memory) {
+    const hw::MachineSpec& m = line.test->machine;
+    const hw::Dither& d = line.test->dither;
+    const int x = line.first + static_cast<int>(span.first);
+    const std::uint64_t pixel =
+        (static_cast<std::uint64_t>(line.y) << m.xy_bits) + static_cast<std::uint64_t>(x);
+    if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, m, pixel, span, memory);
+    if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, m, pixel, span, memory);
+    hw::NoiseSource noise(d, m, x, line.y);
+    for (std::size_t i = span.first; i < span.end; ++i) {
         const hw::DitherWords w = noise.next();
-        memory.result[0][x] += w.x;
-        memory.result[1][x] += w.y;
+        memory.result[0][i] += w.x;
+        memory.result[1][i] += w.y;
     }
 }
 
@@ -155,7 +159,6 @@ std::uint32_t bilinear_row(const RowLine& line, Span span, RowMemory& memory) {
 }  // namespace
 
 RowCounts plain_row(const RowLine& line, RowMemory& memory) {
-    const ShadowTest& s = *line.test;
     const auto n = static_cast<std::size_t>(line.width);
     const auto none = static_cast<hw::Depth16>(line.background);
     const Span span = visible_span(line.depth, n, none);
@@ -165,7 +168,7 @@ RowCounts plain_row(const RowLine& line, RowMemory& memory) {
     std::uint32_t visible = 0;
     for (std::size_t x = span.first; x < span.end; ++x) visible += line.depth[x] != none;
     transform_row(line, span, memory);
-    if (line.uniforms > 0) add_dither(s, line.y, span, memory);
+    if (line.uniforms > 0) add_dither(line, span, memory);
     const std::uint32_t shadowed = line.bilinear ? bilinear_row(line, span, memory)
                                                  : nearest_row(line, span, memory);
     return {visible, shadowed};
