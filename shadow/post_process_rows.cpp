@@ -119,6 +119,25 @@ void column_shares(const ShadowTest& s, const hw::MatrixWords& m, const RowLine&
     }
 }
 
+// share_of_dark() by the reciprocal of twice the taps, which 20 bits hold well enough.
+struct ShareWords {
+    std::int32_t scale, offset;
+};
+constexpr ShareWords share_words(int taps) {
+    const std::int32_t over = ((1 << 20) + 2 * taps - 1) / (2 * taps);
+    return {510 * over, taps * over};
+}
+static_assert([] {
+    for (int side = 2; side <= max_taps_a_side; ++side)
+        for (int count = 0; count <= side * side; ++count) {
+            const ShareWords w = share_words(side * side);
+            if (fixed::floor_shift(count * w.scale + w.offset, 20) !=
+                share_of_dark(count, {side, false}))
+                return false;
+        }
+    return true;
+}());
+
 // What a frame's lines have in common.
 RowLine line_of(const ShadowTest& s, const LightMap<hw::Depth16>& light) {
     const hw::MachineSpec& m = s.machine;
@@ -134,6 +153,13 @@ RowLine line_of(const ShadowTest& s, const LightMap<hw::Depth16>& light) {
     line.offset = static_cast<std::int32_t>(m.depth_offset());
     line.background = static_cast<std::int32_t>(m.background());
     line.bilinear = hw::built(hw::Feature::bilinear) && s.lookup == Lookup::bilinear;
+    if (hw::built(hw::Feature::windows) && has_window(s.lookup)) {
+        const ShareWords share = share_words(s.taps * s.taps);
+        line.window_side = s.taps;
+        line.percentage = s.lookup == Lookup::percentage;
+        line.share_scale = share.scale;
+        line.share_offset = share.offset;
+    }
     if (hw::built(hw::Feature::dither) && !hw::silent(s.dither, m)) {
         line.uniforms = hw::uniforms(s.dither.shape);
         line.amplitude = fixed::dither_amplitude(line.uniforms, s.dither.size_q8, m.fraction_bits);
@@ -160,7 +186,8 @@ bool shares_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
 
 bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     const hw::MachineSpec& m = settings.machine;
-    if (has_window(settings.lookup) || settings.receiver != Receiver::point) return false;
+    const bool jittered = window_of(settings).jittered;
+    if (jittered || settings.receiver != Receiver::point) return false;
     if (m.z_bits > 16 || m.depth_store != hw::DepthStore::fixed ||
         m.fraction_bits > 7 || m.fraction_bits < 1 ||
         m.dropped_bits() > 0)  // a cut product is no sum of shares
@@ -175,8 +202,9 @@ bool lanes_cover(const ShadowTest& s) {
     return largest_scaled_dither(s) <= INT32_MAX;
 }
 
-bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, std::int32_t z) {
-    return in_shadow(*line.light, hw::Point{x, y, z, hw::DivideStatus::ok}, hw::DitherWords{0, 0});
+std::uint8_t row_pixel_darkness(const RowLine& line, std::int32_t x, std::int32_t y,
+                                std::int32_t z) {
+    return darkness(*line.light, hw::Point{x, y, z, hw::DivideStatus::ok}, hw::DitherWords{0, 0});
 }
 
 void start_row_noise(const RowLine& line, std::uint32_t* words) {

@@ -36,6 +36,9 @@ struct RowLine {
     std::int32_t background;
     bool whole;  // the shares' high parts are 0, their low ones modulo 2^32
     bool bilinear;
+    int window_side;  // texels; 0: no window
+    bool percentage;  // a window's darkness is a share of its texels:
+    int share_scale, share_offset;  // floor((count share_scale + share_offset) / 2^20)
     int uniforms;  // bytes in a dither word, 0: none
     std::int32_t amplitude;
     // of the strip
@@ -74,7 +77,8 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
 bool lanes_cover(const ShadowTest& test);
 
 // The definition, for lanes at the map's edge: results of the transform unit, dithered.
-bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, std::int32_t z);
+std::uint8_t row_pixel_darkness(const RowLine& line, std::int32_t x, std::int32_t y,
+                                std::int32_t z);
 // The line's first 32 words of noise, of 32 bits.
 void start_row_noise(const RowLine& line, std::uint32_t* words);
 

@@ -140,7 +140,7 @@ TEST(PostProcessRows, TheFiguresMatrixAtEverySizeAndBias) {
         s.machine.xy_bits = xy;
         test::Frame<> frame(figures.scene(), s);
         ASSERT_EQ(frame.status, FrameStatus::ok);
-        for (const Lookup lookup : {Lookup::nearest, Lookup::bilinear})
+        for (const Lookup lookup : test::row_lookups)
             for (const std::int64_t bias : {-100000, -64, 0, 1, 64, 192, 32767, 65535, 1 << 20}) {
                 s.lookup = lookup;
                 s.bias_q16 = bias << 16;
@@ -165,12 +165,12 @@ TEST(PostProcessRows, EverySettingOnce) {
     s.machine.xy_bits = 6;
     test::Frame<> frame(figures.scene(), s);
     for (int shape = 0; shape < 5; ++shape)
-        for (int bits = 0; bits < 8; ++bits)
+        for (unsigned bits = 0; bits < 16; ++bits)
             for (const int size : {0, 64, 256, 1024}) {
                 s.dither.shape = static_cast<hw::DitherShape>(shape);
                 s.dither.size_q8 = size;
-                s.lookup = (bits & 1) != 0 ? Lookup::bilinear : Lookup::nearest;
-                s.background = (bits & 2) != 0 ? Background::fall_back : Background::blend;
+                s.lookup = test::row_lookups[bits % 4];
+                s.background = (bits & 8) != 0 ? Background::fall_back : Background::blend;
                 s.registration = (bits & 4) != 0 ? Registration::index : Registration::centre;
                 ASSERT_EQ(load_matrices(figures.scene(), s, frame.matrices), FrameStatus::ok);
                 expect_forms_agree(frame.buffers.maps(),
@@ -201,7 +201,7 @@ TEST(PostProcessRows, TexelEdgesAndExtremeCodes) {
     for (const int fine : {-17, -16, -15, -1, 0, 1, 15, 16, 17, 2048 - 16, 2048, 2048 + 16})
         for (const int z : {-32768, -1, 0, 1, 8, 32767})
             for (const Registration registration : {Registration::centre, Registration::index})
-                for (const Lookup lookup : {Lookup::nearest, Lookup::bilinear}) {
+                for (const Lookup lookup : test::row_lookups) {
                     m.word[0][3] = m.word[1][3] = fine;
                     m.word[2][3] = z;
                     s.registration = registration;
@@ -254,7 +254,7 @@ TEST(PostProcessRows, ReadNothingBesideTheMap) {
         depth.front() = depth.back() = 39999;
         DepthMaps<hw::Depth16> maps = maps_of(observer, observer);
         maps.light.depth = depth;
-        for (const Lookup lookup : {Lookup::nearest, Lookup::bilinear}) {
+        for (const Lookup lookup : test::row_lookups) {
             s.lookup = lookup;
             expect_forms_agree(maps, m, s, "pages ", shadowed);
         }
@@ -283,8 +283,12 @@ TEST(PostProcessRows, CoverWhatTheySay) {
         w.affine = false;
         s.machine.divide_order = hw::DivideOrder::round_first;
     }));
-    EXPECT_FALSE(covers([](Settings& s, W&) { s.lookup = Lookup::percentage; }));
-    EXPECT_FALSE(covers([](Settings& s, W&) { s.lookup = Lookup::filtered_depth; }));
+    for (const Lookup lookup : {Lookup::percentage, Lookup::filtered_depth})
+        for (const TapPlaces places : {TapPlaces::grid, TapPlaces::jittered})
+            EXPECT_EQ(covers([&](Settings& s, W&) {
+                s.lookup = lookup;
+                s.tap_places = places;
+            }), places == TapPlaces::grid);
     EXPECT_FALSE(covers([](Settings& s, W&) { s.machine.z_bits = 17; }));
     EXPECT_TRUE(covers([](Settings& s, W&) { s.machine.coefficient_bits = 24; }));
     // 35 bits: with one bit less a product is cut, and is no sum of shares.

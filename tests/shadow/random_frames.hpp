@@ -85,6 +85,10 @@ inline std::string describe(const Settings& s) {
     return text;
 }
 
+// The lookups that have a row form.
+inline constexpr Lookup row_lookups[] = {Lookup::nearest, Lookup::bilinear, Lookup::percentage,
+                                         Lookup::filtered_depth};
+
 // Settings of what the post-process reads; `rows` keeps to what the row form covers.
 inline Settings random_settings(Random& random, bool rows) {
     Settings s;
@@ -99,11 +103,12 @@ inline Settings random_settings(Random& random, bool rows) {
     m.transform_rounding = rows ? pick(random, {fixed::Rounding::half_up, fixed::Rounding::floor})
                                 : random.rounding();
     s.registration = pick(random, {Registration::centre, Registration::index});
-    s.lookup = rows ? pick(random, {Lookup::nearest, Lookup::bilinear})
+    s.lookup = rows ? row_lookups[random.bits() % 4]
                     : pick(random, {Lookup::nearest, Lookup::bilinear, Lookup::bilinear,
                                     Lookup::percentage, Lookup::filtered_depth});
     s.taps = between(2, 5);
-    s.tap_places = pick(random, {TapPlaces::grid, TapPlaces::jittered});
+    s.tap_places = rows ? TapPlaces::grid
+                        : pick(random, {TapPlaces::grid, TapPlaces::jittered});
     s.background = pick(random, {Background::blend, Background::fall_back});
     s.dither.shape = static_cast<hw::DitherShape>(random.bits() % 5);
     s.dither.size_q8 = pick(random, {0, 1, 64, 255, 256, 257, 700, 1024});
