@@ -6,10 +6,10 @@
 //
 //   result = round(sum 2^shift / sum_w)
 //
-// is found by the reciprocal of sum_w, to 28 bits by Newton's steps, which every row uses. The
+// is found by the reciprocal of sum_w, of 31 bits by Newton's steps, which every row uses. The
 // estimate's error has a bound; where that much more or less would round to another quotient (one
-// pixel in a thousand), and where a small sum_w leaves too few bits, the divider's own definition
-// is asked. So the results are exact. hw/MACHINE.md, section 5.
+// pixel in some hundreds), and where a small sum_w leaves too few bits, the divider's definition is
+// asked. So the results are exact. hw/MACHINE.md, section 5.
 #pragma once
 
 #include "shadow/post_process.hpp"
