@@ -57,8 +57,8 @@ static inline std::int32_t reciprocal_of(std::uint32_t n) {
 }
 
 // sum_w = 2^cut_w n 2^-up, less what the cut loses, with 2^31 <= n < 2^32; y is the reciprocal of
-// n, and 0 where sum_w is not positive. Where the bits of sum_w that are left are too few, `up` is as
-// large as no shift is.
+// n, and 0 where sum_w is not positive. Where the bits of sum_w that are left are too few, `up` is
+// as large as no shift is.
 constexpr std::int32_t coarse = 1024;
 static inline void find_reciprocals(const ResultLine& line, const Lane64& sum_w,
                                     std::int32_t* __restrict y, std::int32_t* __restrict up) {

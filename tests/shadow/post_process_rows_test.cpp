@@ -66,15 +66,6 @@ TEST(PostProcessRows, RandomMatricesAndFrames) {
     EXPECT_GT(shadowed, 100000u) << "too little in shadow for a test";
 }
 
-// A W row like a view's: its constant outweighs the rest as a rule, and W may be small or negative.
-void make_w_row(Random& random, const hw::MachineSpec& spec, hw::MatrixWords& m) {
-    const std::int64_t max = (std::int64_t{1} << (spec.coefficient_bits - 1)) - 1;
-    const std::int64_t small = std::int64_t{1} << random.between(0, spec.coefficient_bits - 2);
-    for (std::size_t c = 0; c < 3; ++c)
-        m.word[3][c] = static_cast<std::int32_t>(random.between(-small, small));
-    m.word[3][3] = static_cast<std::int32_t>(random.between(max / 8, max));
-}
-
 // In perspective, with wide coefficients and with any exponents: what wide lanes transform.
 TEST(PostProcessRows, RandomMatricesThatDivideOrAreWide) {
     Random random;
@@ -88,7 +79,7 @@ TEST(PostProcessRows, RandomMatricesThatDivideOrAreWide) {
         test::fill_depth(random, s.machine, observer.depth);
         test::fill_depth(random, s.machine, light.depth);
         hw::MatrixWords m = test::random_matrix(random, s.machine, round % 3 == 0);
-        if (round % 3 == 1) make_w_row(random, s.machine, m);
+        if (round % 3 == 1) test::make_w_row(random, s.machine, m);
         if (round % 8 == 0)
             for (int& e : m.exponent) e = static_cast<int>(random.between(-20, 20));
         if (!rows_cover(s, m)) {
@@ -119,7 +110,7 @@ TEST(PostProcessRows, FramesWiderThanAStrip) {
         test::fill_depth(random, s.machine, observer.depth);
         test::fill_depth(random, s.machine, light.depth);
         hw::MatrixWords m = test::random_matrix(random, s.machine, round % 4 != 1);
-        if (round % 4 == 1) make_w_row(random, s.machine, m);
+        if (round % 4 == 1) test::make_w_row(random, s.machine, m);
         if (!rows_cover(s, m)) continue;
         const int first = static_cast<int>(random.between(0, s.machine.size_px() - 20));
         const hw::Band band = round == 2 ? hw::Band{} : hw::Band{first, first + 20};

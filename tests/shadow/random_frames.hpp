@@ -76,6 +76,15 @@ inline hw::MatrixWords random_matrix(Random& random, const hw::MachineSpec& spec
     return m;
 }
 
+// A W row like a view's: its constant outweighs the rest as a rule, and W may be small or negative.
+inline void make_w_row(Random& random, const hw::MachineSpec& spec, hw::MatrixWords& m) {
+    const std::int64_t max = (std::int64_t{1} << (spec.coefficient_bits - 1)) - 1;
+    const std::int64_t small = std::int64_t{1} << random.between(0, spec.coefficient_bits - 2);
+    for (std::size_t c = 0; c < 3; ++c)
+        m.word[3][c] = static_cast<std::int32_t>(random.between(-small, small));
+    m.word[3][3] = static_cast<std::int32_t>(random.between(max / 8, max));
+}
+
 // The settings that are not the defaults, for a failure's message.
 inline std::string describe(const Settings& s) {
     std::string text;
