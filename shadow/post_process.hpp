@@ -7,7 +7,7 @@
 // Its cost depends on the resolution alone: one transform a visible pixel, whatever was drawn.
 // `post_process` is the definition, one pixel at a time. `post_process_rows` runs the same
 // arithmetic one scan line at a time, in the lanes of the processor (shadow/row_form.hpp); it
-// covers codes of up to 16 bits and nearest or bilinear lookup, affine or in perspective
+// covers codes of up to 16 bits and every lookup but jittered windows, affine or in perspective
 // (rows_cover). Tests hold the two equal bit for bit.
 // Both read the depth maps (DepthMaps), write every byte of the mask, and trap if the maps or the
 // mask have other sizes than the machine.

@@ -6,6 +6,7 @@
 // and floor(a 2^S + b) / 2^S = a + floor(b / 2^S) makes the result exact in 32-bit lanes.
 // Where 32 bits without a sign hold every sum of the frame, counted from the map's corner, the
 // lanes have all bits as low ones: a rotation seldom needs more.
+// A frame wider than widest_row is done in strips of columns, each from its first line to its last.
 // Other matrices have their results found in wide lanes before (shadow/result_form.hpp).
 
 #include "shadow/result_form.hpp"
@@ -103,18 +104,39 @@ void set_share(LineSum& sum, bool whole, RowShare& share) {
     sum.value += sum.step;
 }
 
-void column_shares(const ShadowTest& s, const hw::MatrixWords& m, bool whole, RowMemory& memory) {
-    const std::int64_t first = pixel_words(0, 0, 0, s).x, step = pixel_words(1, 0, 0, s).x - first;
+void column_shares(const ShadowTest& s, const hw::MatrixWords& m, const RowLine& line,
+                   RowMemory& memory) {
+    const std::int64_t first = pixel_words(line.first, 0, 0, s).x;
+    const std::int64_t step = pixel_words(line.first + 1, 0, 0, s).x - first;
     for (std::size_t r = 0; r < 3; ++r) {
         const int shift = rounded(s, m, r).shift;
         std::int64_t v = m.word[r][0] * first;
-        for (int x = 0; x < s.machine.size_px(); ++x, v += m.word[r][0] * step) {
-            const Split parts = split(v, shift, whole);
+        for (int x = 0; x < line.width; ++x, v += m.word[r][0] * step) {
+            const Split parts = split(v, shift, line.whole);
             memory.column_high[r][x] = parts.high;
             memory.column_low[r][x] = parts.low;
         }
     }
 }
+
+// share_of_dark() by the reciprocal of twice the taps, which 20 bits hold well enough.
+struct ShareWords {
+    std::int32_t scale, offset;
+};
+constexpr ShareWords share_words(int taps) {
+    const std::int32_t over = ((1 << 20) + 2 * taps - 1) / (2 * taps);
+    return {510 * over, taps * over};
+}
+static_assert([] {
+    for (int side = 2; side <= max_taps_a_side; ++side)
+        for (int count = 0; count <= side * side; ++count) {
+            const ShareWords w = share_words(side * side);
+            if (fixed::floor_shift(count * w.scale + w.offset, 20) !=
+                share_of_dark(count, {side, false}))
+                return false;
+        }
+    return true;
+}());
 
 // What a frame's lines have in common.
 RowLine line_of(const ShadowTest& s, const LightMap<hw::Depth16>& light) {
@@ -123,13 +145,21 @@ RowLine line_of(const ShadowTest& s, const LightMap<hw::Depth16>& light) {
     line.test = &s;
     line.light = &light;
     line.texels = light.store.depth.data();
-    line.width = m.size_px();
+    line.size = m.size_px();
+    line.width = std::min(line.size, widest_row);
     line.xy_bits = m.xy_bits;
     line.fraction_bits = m.fraction_bits;
     line.z_up = m.input_fraction() - m.depth_fraction();
     line.offset = static_cast<std::int32_t>(m.depth_offset());
     line.background = static_cast<std::int32_t>(m.background());
     line.bilinear = hw::built(hw::Feature::bilinear) && s.lookup == Lookup::bilinear;
+    if (hw::built(hw::Feature::windows) && has_window(s.lookup)) {
+        const ShareWords share = share_words(s.taps * s.taps);
+        line.window_side = s.taps;
+        line.percentage = s.lookup == Lookup::percentage;
+        line.share_scale = share.scale;
+        line.share_offset = share.offset;
+    }
     if (hw::built(hw::Feature::dither) && !hw::silent(s.dither, m)) {
         line.uniforms = hw::uniforms(s.dither.shape);
         line.amplitude = fixed::dither_amplitude(line.uniforms, s.dither.size_q8, m.fraction_bits);
@@ -156,8 +186,9 @@ bool shares_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
 
 bool rows_cover(const ShadowTest& settings, const hw::MatrixWords& matrix) {
     const hw::MachineSpec& m = settings.machine;
-    if (has_window(settings.lookup) || settings.receiver != Receiver::point) return false;
-    if (m.size_px() > widest_row || m.z_bits > 16 || m.depth_store != hw::DepthStore::fixed ||
+    const bool jittered = window_of(settings).jittered;
+    if (jittered || settings.receiver != Receiver::point) return false;
+    if (m.z_bits > 16 || m.depth_store != hw::DepthStore::fixed ||
         m.fraction_bits > 7 || m.fraction_bits < 1 ||
         m.dropped_bits() > 0)  // a cut product is no sum of shares
         return false;
@@ -171,8 +202,9 @@ bool lanes_cover(const ShadowTest& s) {
     return largest_scaled_dither(s) <= INT32_MAX;
 }
 
-bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, std::int32_t z) {
-    return in_shadow(*line.light, hw::Point{x, y, z, hw::DivideStatus::ok}, hw::DitherWords{0, 0});
+std::uint8_t row_pixel_darkness(const RowLine& line, std::int32_t x, std::int32_t y,
+                                std::int32_t z) {
+    return darkness(*line.light, hw::Point{x, y, z, hw::DivideStatus::ok}, hw::DitherWords{0, 0});
 }
 
 void start_row_noise(const RowLine& line, std::uint32_t* words) {
@@ -184,56 +216,92 @@ void start_row_noise(const RowLine& line, std::uint32_t* words) {
     }
 }
 
+namespace {
+
+// The strip of columns of which line.first is the first, within a band of the frame's lines.
+class StripPass {
+public:
+    StripPass(const ShadowTest& test, const hw::MatrixWords& matrix, const RowLine& line,
+              const RowForm& form, RowMemory& memory)
+        : line_(line), run_(lanes_cover(test) ? form.run : plain_row),
+          transform_(result_form_for(form.name)), memory_(memory),
+          shares_(shares_cover(test, matrix)) {
+        if (!shares_) {
+            first_result_line(test, matrix, line_.first, line_.width, results_, memory);
+        } else {
+            line_.whole = run_ != plain_row && fits_whole(test, matrix);
+            column_shares(test, matrix, line_, memory);
+            for (std::size_t r = 0; r < 3; ++r) sums_[r] = first_line(test, matrix, r);
+        }
+        if (line_.uniforms == 0) return;
+        line_of_noise_ = fixed::NoiseRegister::power_of_x(bits_of(line_.size));
+        line_.noise = fixed::NoiseRegister(test.dither.seed);
+        line_.noise.jump(bits_of(line_.first));
+    }
+
+    PostProcessCounts run(const DepthMaps<hw::Depth16>& maps, std::span<std::uint8_t> mask,
+                          const hw::Band& band) {
+        for (LineSum& sum : sums_) sum.value += sum.step * band.first;
+        next_result_line(results_, band.first);
+        if (line_.uniforms > 0)
+            line_.noise.jump(static_cast<std::uint64_t>(band.first) * bits_of(line_.size));
+        PostProcessCounts counts;
+        for (line_.y = band.first; line_.y < band.end; ++line_.y) {
+            const std::size_t at = maps.observer.address(line_.first, line_.y);
+            line_.depth = maps.observer.depth.data() + at;
+            line_.mask = mask.data() + at;
+            const RowCounts c = run_line();
+            counts.visible += c.visible;
+            counts.shadowed += c.shadowed;
+        }
+        return counts;
+    }
+
+private:
+    // Of the noise of so many pixels.
+    std::uint64_t bits_of(int pixels) const {
+        return static_cast<std::uint64_t>(pixels) * 16 * static_cast<std::uint64_t>(line_.uniforms);
+    }
+
+    RowCounts run_line() {
+        if (shares_) {
+            for (std::size_t r = 0; r < 3; ++r) set_share(sums_[r], line_.whole, line_.share[r]);
+        } else {  // the columns' shares are the results; the line has none
+            for (RowShare& share : line_.share) share = {0, 0, 0, min_shift};
+            transform_.run(results_, line_.depth, memory_);
+            next_result_line(results_);
+        }
+        const RowCounts counts = run_(line_, memory_);
+        if (line_.uniforms > 0) line_.noise.jump_by(line_of_noise_);
+        return counts;
+    }
+
+    RowLine line_;
+    RowCounts (*run_)(const RowLine&, RowMemory&);
+    const ResultForm& transform_;
+    RowMemory& memory_;
+    bool shares_;
+    std::array<LineSum, 3> sums_{};
+    ResultLine results_{};
+    std::uint32_t line_of_noise_ = 0;
+};
+
+}  // namespace
+
 PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
                                     const hw::MatrixWords& matrix, const ShadowTest& settings,
                                     RowMemory& memory, std::span<std::uint8_t> mask,
                                     const RowForm& form, hw::Band band) {
-    const hw::MachineSpec& m = settings.machine;
-    check(maps, m, mask);
+    check(maps, settings.machine, mask);
     fixed::require(rows_cover(settings, matrix),
                    "post-process: the row form does not cover these settings or this matrix");
     fixed::require(form.supported(), "post-process: this processor has not the row form's lanes");
     const LightMap<hw::Depth16> light = light_map(maps.light, settings);
     RowLine line = line_of(settings, light);
-    const auto run = lanes_cover(settings) ? form.run : plain_row;
-    if (line.uniforms > 0) line.noise = fixed::NoiseRegister(settings.dither.seed);
-    const std::uint64_t bits_of_line =
-        static_cast<std::uint64_t>(line.width) * 16 * static_cast<std::uint64_t>(line.uniforms);
-    const std::uint32_t line_of_noise = fixed::NoiseRegister::power_of_x(bits_of_line);
-    band = band.within(line.width);
-    if (line.uniforms > 0)
-        line.noise.jump(static_cast<std::uint64_t>(band.first) * bits_of_line);
-    const bool shares = shares_cover(settings, matrix);
-    std::array<LineSum, 3> sums{};
-    ResultLine results;
-    if (shares) {
-        line.whole = run != plain_row && fits_whole(settings, matrix);
-        column_shares(settings, matrix, line.whole, memory);
-        for (std::size_t r = 0; r < 3; ++r) {
-            sums[r] = first_line(settings, matrix, r);
-            sums[r].value += sums[r].step * band.first;
-        }
-    } else {
-        first_result_line(settings, matrix, results, memory);
-        next_result_line(results, band.first);
-    }
-    const ResultForm& transform = result_form_for(form.name);
     PostProcessCounts counts;
-    for (line.y = band.first; line.y < band.end; ++line.y) {
-        line.depth = maps.observer.depth.data() + maps.observer.address(0, line.y);
-        line.mask = mask.data() + maps.observer.address(0, line.y);
-        if (shares) {
-            for (std::size_t r = 0; r < 3; ++r) set_share(sums[r], line.whole, line.share[r]);
-        } else {  // the columns' shares are the results; the line has none
-            for (RowShare& share : line.share) share = {0, 0, 0, min_shift};
-            transform.run(results, line.depth, memory);
-            next_result_line(results);
-        }
-        const RowCounts c = run(line, memory);
-        if (line.uniforms > 0) line.noise.jump_by(line_of_noise);
-        counts.visible += c.visible;
-        counts.shadowed += c.shadowed;
-    }
+    for (; line.first < line.size; line.first += line.width)
+        counts += StripPass(settings, matrix, line, form, memory)
+                      .run(maps, mask, band.within(line.size));
     return counts;
 }
 

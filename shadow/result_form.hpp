@@ -6,10 +6,10 @@
 //
 //   result = round(sum 2^shift / sum_w)
 //
-// is found by the reciprocal of sum_w, to 28 bits by Newton's steps, which every row uses. The
+// is found by the reciprocal of sum_w, of 31 bits by Newton's steps, which every row uses. The
 // estimate's error has a bound; where that much more or less would round to another quotient (one
-// pixel in a thousand), and where a small sum_w leaves too few bits, the divider's own definition
-// is asked. So the results are exact. hw/MACHINE.md, section 5.
+// pixel in some hundreds), and where a small sum_w leaves too few bits, the divider's definition is
+// asked. So the results are exact. hw/MACHINE.md, section 5.
 #pragma once
 
 #include "shadow/post_process.hpp"
@@ -41,10 +41,10 @@ struct ResultLine {
 // What stands for a result that is none or lies far outside of the light's volume.
 inline constexpr std::int32_t no_result = 1 << 28;
 
-// Whether the lanes cover the matrix; then `line` is the frame's first one.
+// Whether the lanes cover the matrix; then `line` is the first one of a strip of columns.
 bool result_lines_cover(const ShadowTest& test, const hw::MatrixWords& matrix);
-void first_result_line(const ShadowTest& test, const hw::MatrixWords& matrix, ResultLine& line,
-                       RowMemory& memory);
+void first_result_line(const ShadowTest& test, const hw::MatrixWords& matrix, int first, int width,
+                       ResultLine& line, RowMemory& memory);
 void next_result_line(ResultLine& line, int lines = 1);
 
 // The definition of a quotient.

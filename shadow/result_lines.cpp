@@ -50,14 +50,15 @@ bool result_lines_cover(const ShadowTest& s, const hw::MatrixWords& m) {
     return true;
 }
 
-void first_result_line(const ShadowTest& s, const hw::MatrixWords& m, ResultLine& line,
-                       RowMemory& memory) {
+void first_result_line(const ShadowTest& s, const hw::MatrixWords& m, int first_column, int width,
+                       ResultLine& line, RowMemory& memory) {
     const hw::MachineSpec& spec = s.machine;
-    const hw::Words first = pixel_words(0, 0, 0, s), next = pixel_words(1, 1, 0, s);
+    const hw::Words first = pixel_words(first_column, 0, 0, s);
+    const hw::Words next = pixel_words(first_column + 1, 1, 0, s);
     line.divides = m.divides();
     line.half_up = spec.transform_rounding == Rounding::half_up;
     line.cut_w = std::max(0, sum_bits(s, m, 3) - 31);
-    line.width = spec.size_px();
+    line.width = width;
     line.z_up = spec.input_fraction() - spec.depth_fraction();
     line.offset = static_cast<std::int32_t>(spec.depth_offset());
     line.background = static_cast<std::int32_t>(spec.background());

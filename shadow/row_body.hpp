@@ -32,7 +32,9 @@ UMBRA78_LANES Share share_of(const RowLine& line, const RowMemory& m, int row,
 
 // What the loop is compiled for.
 struct Kind {
-    bool whole, four, dithered;
+    bool four = false, window = false, percentage = false;  // none: nearest
+    bool whole = false, dithered = false;
+    constexpr bool fine() const { return four || window; }  // places keep their fractions
 };
 
 UMBRA78_LANES Word sum_at(const Share& s, Word z, int x) {
@@ -47,11 +49,11 @@ UMBRA78_LANES Word coordinate(const Share& s, Word z, int x, Word dither, Kind k
     if (k.whole) {
         const Word sum = sum_at(s, z, x);
         return down_unsigned(k.dithered ? sum + up(dither, s.shift) : sum,
-                             k.four ? s.shift : s.shift_to_texel);
+                             k.fine() ? s.shift : s.shift_to_texel);
     }
     const Word result = split_result(s, z, x);
     const Word place = k.dithered ? result + dither : result;
-    return k.four ? place : down(place, s.fraction_bits);
+    return k.fine() ? place : down(place, s.fraction_bits);
 }
 
 struct Place {
@@ -66,6 +68,17 @@ UMBRA78_LANES Place place_of(const Share* s, Word z, const RowMemory& m, int x, 
             coordinate(s[1], z, x, down16(noise), k), code};
 }
 
+// Texels are read four at a time, in two words of 64-bit lanes. The last four of a window's line
+// end with it, and may begin before it: what is before it or is counted already has the weight 0.
+constexpr int quad = 4;
+UMBRA78_LANES Word weights_of_last(int side) {
+    alignas(64) std::uint32_t weights[lanes];
+    const std::uint64_t four = 0x0001000100010001u << 16 * ((4 * quad - side) % quad);
+    for (int i = 0; i < lanes; ++i)
+        weights[i] = static_cast<std::uint32_t>(i % 2 == 0 ? four : four >> 32);
+    return load(weights);
+}
+
 // What the lanes compare with.
 struct Limits {
     Word side;         // of the map, a power of 2, in the unit of the places
@@ -73,15 +86,33 @@ struct Limits {
     Word last_texel;   // its address
     Word last_corner;  // the last X or Y, half a texel back, that has four texels
     Word half, fraction, one, offset;  // half a texel
+    Word before, last_first;  // from a window's first texel to its middle; the last first texel
+    Word least_address, last_weights;
     Count f, xy, twice_f;
     const hw::Depth16* texels;
     int width;
 };
-UMBRA78_LANES Limits limits_of(const RowLine& line, bool four) {
-    const int f = line.fraction_bits, width = line.width;
-    return {all(four ? width << f : width), all(line.background), all(width * width - 1),
-            all(((width - 1) << f) - 1), all((1 << f) / 2), all((1 << f) - 1), all(1 << f),
-            all(1 << 15), count(f), count(line.xy_bits), count(2 * f), line.texels, width};
+UMBRA78_LANES Limits limits_of(const RowLine& line, bool fine) {
+    const int f = line.fraction_bits, width = line.size, side = line.window_side;
+    Limits l{};
+    l.side = all(fine ? width << f : width);
+    l.background = all(line.background);
+    l.last_texel = all(width * width - 1);
+    l.last_corner = all(((width - 1) << f) - 1);
+    l.half = all((1 << f) / 2);
+    l.fraction = all((1 << f) - 1);
+    l.one = all(1 << f);
+    l.offset = all(1 << 15);
+    l.before = all((side - 1) * (1 << f) / 2);
+    l.last_first = all(width - side);
+    l.least_address = all(quad - side);
+    l.last_weights = weights_of_last(side);
+    l.f = count(f);
+    l.xy = count(line.xy_bits);
+    l.twice_f = count(2 * f);
+    l.texels = line.texels;
+    l.width = width;
+    return l;
 }
 
 // Of two numbers below a power of 2 the bits together are below it, too.
@@ -109,19 +140,18 @@ UMBRA78_LANES Mask nearest(const Place& p, Mask visible, const Limits& l, Kind k
     return both(before_background, less(texel, p.code));  // a code below 0 is greater than none
 }
 
-// Lanes whose four texels are not all on the map.
-UMBRA78_LANES Mask at_edge(const RowLine& line, const Place& p, Mask some) {
+// The darkness of lanes some of whose texels are not on the map.
+UMBRA78_APART Word at_edge(const RowLine& line, const Place& p, Mask some) {
     alignas(64) std::int32_t x[lanes], y[lanes], code[lanes], dark[lanes];
-    const std::int32_t edge = line.width / 2 << line.fraction_bits;
+    const std::int32_t edge = line.size / 2 << line.fraction_bits;
     store(x, p.x);
     store(y, p.y);
     store(code, p.code);
     store(dark, keep(all(-1), some));
     for (int i = 0; i < lanes; ++i)
-        if (dark[i] != 0 &&
-            !row_pixel_in_shadow(line, x[i] - edge, y[i] - edge, code[i] - line.offset))
-            dark[i] = 0;
-    return less(load(dark), all(0));
+        if (dark[i] != 0)
+            dark[i] = row_pixel_darkness(line, x[i] - edge, y[i] - edge, code[i] - line.offset);
+    return load(dark);
 }
 
 // blend = 2^F u + fy (l - u) with u and l along x. Products take signed halves, so every texel is
@@ -140,71 +170,65 @@ UMBRA78_LANES Mask bilinear(const RowLine& line, const Place& p, Mask visible, c
     const Word blend = up(upper, l.f) + product(lower - upper, fy);
     const Mask dark = both(both(some, less(blend, up(p.code - l.offset, l.twice_f))),
                            in_range(p.code, l.background));
-    if (!any(without(visible, some))) return dark;
+    if (!any(without(visible, some))) [[likely]] return dark;
     const Mask others = without(both(visible, inside_map(p, l, k)), some);
-    return any(others) ? either(dark, at_edge(line, p, others)) : dark;
+    if (any(others)) [[unlikely]]
+        return either(dark, less(all(0), at_edge(line, p, others)));
+    return dark;
 }
 
-// --- noise --------------------------------------------------------------------------------------
+// --- a window of texels -------------------------------------------------------------------------
 
-// The noise register's recurrence b[n] = b[n-31] ^ b[n-28] holds for whole words, too: over GF(2)
-// the power 32 of its polynomial has as many terms, 32 times as far apart; and so on for each power
-// of 2. Longer steps read what was written long before.
-static void draw_bits(const RowLine& line, int words, std::uint32_t* bits) {
-    start_row_noise(line, bits);
-    for (int step = 1; 31 * step < words; step *= 2) {
-        const int end = 62 * step < words ? 62 * step : words;
-        const std::uint32_t *back31 = bits, *back28 = bits + 3 * step;
-        std::uint32_t* out = bits + 31 * step;
-        UMBRA78_NO_DEPENDENCE
-        for (int i = 0; i < end - 31 * step; ++i) out[i] = back31[i] ^ back28[i];
+// The number of texels that are nearer than the point, or the sum of all, less 2^15 each.
+UMBRA78_LANES Word over_taps(const RowLine& line, const Limits& l, Word address, Word code,
+                             Mask some, bool percentage) {
+    const int side = line.window_side;
+    const Word ones = all(0x10001);
+    Word codes[2], sum[2] = {};
+    widen(signed_halves(up16(code) + low_half(code)), codes);
+    const auto add_four = [&](int from, Word weights) UMBRA78_INLINE {
+        Word texels[2];
+        quads(l.texels, address + all(from), some, texels);
+        for (int k = 0; k < 2; ++k) {
+            const Word four = signed_halves(texels[k]);
+            sum[k] = percentage ? add_where_greater(sum[k], codes[k], four, weights)
+                                : add_products(sum[k], four, weights);
+        }
+    };
+    for (int j = 0; j < side; ++j) {
+        const int from = j * line.size;
+        for (int i = 0; i + quad < side; i += quad) add_four(from + i, ones);
+        add_four(from + side - quad, l.last_weights);
     }
-}
-
-// The sums of the bytes of each word, of each half word, and the bytes.
-static void add_bytes(const std::uint32_t* bits, int words, std::uint16_t* sum) {
-    for (int i = 0; i < words; ++i) {
-        const std::uint32_t pairs_sum = (bits[i] & 0x00ff00ff) + (bits[i] >> 8 & 0x00ff00ff);
-        sum[i] = static_cast<std::uint16_t>((pairs_sum & 0xffff) + (pairs_sum >> 16));
-    }
-}
-static void add_pairs(const std::uint32_t* bits, int words, std::uint16_t* sum) {
-    for (int i = 0; i < words; ++i) {
-        const std::uint32_t pairs_sum = (bits[i] & 0x00ff00ff) + (bits[i] >> 8 & 0x00ff00ff);
-        sum[2 * i] = static_cast<std::uint16_t>(pairs_sum);
-        sum[2 * i + 1] = static_cast<std::uint16_t>(pairs_sum >> 16);
-    }
-}
-static void take_bytes(const std::uint32_t* bits, int words, std::uint16_t* sum) {
-    for (int i = 0; i < 4 * words; ++i) sum[i] = bits[i / 4] >> (i % 4 * 8) & 255u;
-}
-static void add_threes(const std::uint16_t* __restrict sum, int count,
-                       std::uint16_t* __restrict threes) {
-    for (int i = 0; i < count; ++i)
-        threes[i] = static_cast<std::uint16_t>(sum[3 * i] + sum[3 * i + 1] + sum[3 * i + 2]);
+    for (int k = 0; percentage && k < 2; ++k) sum[k] = sum_of_products(sum[k], ones);
+    return narrow(sum);
 }
 
-// Dither words of the pixels from x to end: X in the low half, Y in the high one.
-static void draw_noise(const RowLine& line, int x, int end, RowMemory& m) {
-    const int k = line.uniforms, words = (end - x) * k / 2, sums = 2 * (end - x);
-    std::uint16_t* sum = m.noise_sums;
-    draw_bits(line, end * k / 2, m.noise_bits);
-    const std::uint32_t* bits = m.noise_bits + x * k / 2;
-    if (k == 1) take_bytes(bits, words, sum);
-    if (k == 2) add_pairs(bits, words, sum);
-    if (k >= 4) add_bytes(bits, words, sum);
-    if (k == 12) {
-        add_threes(sum, sums, m.noise_threes);
-        sum = m.noise_threes;
-    }
-    std::int16_t* noise = m.noise + 2 * x;
-    const std::int32_t amplitude = line.amplitude, mean = 255 * k;
-    for (int i = 0; i < sums; ++i) {
-        const std::uint32_t scaled =
-            static_cast<std::uint32_t>((2 * sum[i] - mean) * amplitude + (1 << 15));
-        noise[i] = static_cast<std::int16_t>(scaled >> 16);
-    }
+UMBRA78_LANES Word share_of_dark(const RowLine& line, Word dark) {
+    return down_unsigned(product(dark, all(line.share_scale)) + all(line.share_offset), count(20));
 }
+
+UMBRA78_LANES Word window_darkness(const RowLine& line, const Place& p, Mask visible,
+                                   const Limits& l, Kind k) {
+    const Word x = down(p.x - l.before, l.f), y = down(p.y - l.before, l.f);
+    const Mask inside =
+        both(both(visible, inside_map(p, l, k)), in_range(p.code, l.background));
+    const Word address = address_of(x, y, l);
+    const Mask some = both(inside, not_negative(x | y | (l.last_first - x) | (l.last_first - y) |
+                                                (address - l.least_address)));
+    const int taps = line.window_side * line.window_side;
+    const Word found = over_taps(line, l, address, p.code, some, k.percentage);
+    const Word dark =
+        k.percentage
+            ? keep(share_of_dark(line, found), some)
+            : keep(all(255), both(some, less(found, product(p.code - l.offset, all(taps)))));
+    const Mask others = without(inside, some);
+    if (any(others)) [[unlikely]]
+        return dark | at_edge(line, p, others);
+    return dark;
+}
+
+#include "shadow/row_noise.hpp"
 
 // --- the line -----------------------------------------------------------------------------------
 
@@ -226,39 +250,61 @@ UMBRA78_LANES RowCounts run_line(const RowLine& line, RowMemory& m, Kind kind) {
         for (int i = 0; i < x; ++i) mask[i] = 0;
         for (int i = end; i < line.width; ++i) mask[i] = 0;
     }
-    const std::int32_t edge = line.width / 2 << line.fraction_bits;
+    const std::int32_t edge = line.size / 2 << line.fraction_bits;
     const Share shares[3] = {share_of(line, m, 0, edge), share_of(line, m, 1, edge),
                              share_of(line, m, 2, line.offset)};
-    const Limits limits = limits_of(line, kind.four);
+    const Limits limits = limits_of(line, kind.fine());
     Counter visible{}, shadowed{};
     for (; x < end; x += block) {
         Codes c[parts];
         Mask dark[parts] = {};
+        Word darkness[parts] = {};
         if (read_codes(depth + x, rule, c)) {
 #pragma GCC unroll 4
             for (int i = 0; i < parts; ++i) {
                 const Mask drawn = c[i].visible;
                 const Place p = place_of(shares, c[i].z, m, x + i * lanes, kind);
-                dark[i] = kind.four ? bilinear(line, p, drawn, limits, kind)
-                                    : nearest(p, drawn, limits, kind);
+                if (kind.window) {
+                    darkness[i] = window_darkness(line, p, drawn, limits, kind);
+                    dark[i] = less(all(0), darkness[i]);
+                } else {
+                    dark[i] = kind.four ? bilinear(line, p, drawn, limits, kind)
+                                        : nearest(p, drawn, limits, kind);
+                }
                 add(visible, drawn);
                 add(shadowed, dark[i]);
             }
         }
-        store_masks(mask + x, dark);
+        if (kind.window) store_bytes(mask + x, darkness);
+        else store_masks(mask + x, dark);
     }
     return {total(visible), total(shadowed)};
 }
 
-UMBRA78_LANES RowCounts run_lookup(const RowLine& line, RowMemory& m, bool four) {
+UMBRA78_LANES RowCounts run_lookup(const RowLine& line, RowMemory& m, Kind k) {
     if (line.uniforms > 0)
-        return line.whole ? run_line(line, m, {true, four, true})
-                          : run_line(line, m, {false, four, true});
-    return line.whole ? run_line(line, m, {true, four, false})
-                      : run_line(line, m, {false, four, false});
+        return line.whole ? run_line(line, m, {k.four, k.window, k.percentage, true, true})
+                          : run_line(line, m, {k.four, k.window, k.percentage, false, true});
+    return line.whole ? run_line(line, m, {k.four, k.window, k.percentage, true, false})
+                      : run_line(line, m, {k.four, k.window, k.percentage, false, false});
+}
+// Each lookup's loops by themselves, which takes the compiler less time and fewer registers.
+UMBRA78_APART RowCounts run_nearest(const RowLine& line, RowMemory& m) {
+    return run_lookup(line, m, {});
+}
+UMBRA78_APART RowCounts run_bilinear(const RowLine& line, RowMemory& m) {
+    return run_lookup(line, m, {.four = true});
+}
+UMBRA78_APART RowCounts run_percentage(const RowLine& line, RowMemory& m) {
+    return run_lookup(line, m, {.window = true, .percentage = true});
+}
+UMBRA78_APART RowCounts run_filtered_depth(const RowLine& line, RowMemory& m) {
+    return run_lookup(line, m, {.window = true});
 }
 static RowCounts run(const RowLine& line, RowMemory& m) {
-    return line.bilinear ? run_lookup(line, m, true) : run_lookup(line, m, false);
+    if (line.window_side > 0)
+        return line.percentage ? run_percentage(line, m) : run_filtered_depth(line, m);
+    return line.bilinear ? run_bilinear(line, m) : run_nearest(line, m);
 }
 
 #undef UMBRA78_NO_DEPENDENCE

@@ -22,23 +22,29 @@ struct RowShare {
     int shift;
 };
 
-// A scan line's work. Plain members only: the lanes' text names no template, whose copy for one
-// instruction set the linker could take for all.
+// A scan line's work, as far as it lies in a strip of at most widest_row columns. Plain members
+// only: the lanes' text names no template, whose copy for one instruction set the linker could take
+// for all.
 struct RowLine {
     // of the frame
     const ShadowTest* test;
     const LightMap<hw::Depth16>* light;
     const hw::Depth16* texels;
-    int width, xy_bits, fraction_bits;
+    int size, xy_bits, fraction_bits;  // of the map and the frame
     int z_up;             // z words are (code - offset) 2^z_up
     std::int32_t offset;  // the code of Z = 0
     std::int32_t background;
     bool whole;  // the shares' high parts are 0, their low ones modulo 2^32
     bool bilinear;
+    int window_side;  // texels; 0: no window
+    bool percentage;  // a window's darkness is a share of its texels:
+    int share_scale, share_offset;  // floor((count share_scale + share_offset) / 2^20)
     int uniforms;  // bytes in a dither word, 0: none
     std::int32_t amplitude;
+    // of the strip
+    int first, width;  // its columns
     // of the line
-    fixed::NoiseRegister noise{1};  // at its first pixel
+    fixed::NoiseRegister noise{1};  // at the strip's first pixel
     int y;
     const hw::Depth16* depth;
     std::uint8_t* mask;
@@ -71,7 +77,8 @@ PostProcessCounts post_process_rows(const DepthMaps<hw::Depth16>& maps,
 bool lanes_cover(const ShadowTest& test);
 
 // The definition, for lanes at the map's edge: results of the transform unit, dithered.
-bool row_pixel_in_shadow(const RowLine& line, std::int32_t x, std::int32_t y, std::int32_t z);
+std::uint8_t row_pixel_darkness(const RowLine& line, std::int32_t x, std::int32_t y,
+                                std::int32_t z);
 // The line's first 32 words of noise, of 32 bits.
 void start_row_noise(const RowLine& line, std::uint32_t* words);
 

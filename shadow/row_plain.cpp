@@ -43,11 +43,11 @@ int bytes(std::uint64_t w, int n) { return fixed::sum_of_uniforms(w, n); }
 
 // Four or twelve bytes a word: a pixel's bits are one or three steps of the 64-bit stream.
 template <int K>
-void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, Span span,
+void add_normal(const hw::Dither& d, const hw::MachineSpec& m, std::uint64_t pixel, Span span,
                 RowMemory& memory) {
     const std::int32_t amplitude = fixed::dither_amplitude(K, d.size_q8, m.fraction_bits);
     fixed::NoiseRegister start(d.seed);
-    start.jump(((static_cast<std::uint64_t>(y) << m.xy_bits) + span.first) * 16 * K);
+    start.jump(pixel * 16 * K);
     fixed::NoiseStream64 stream(start);
     for (std::size_t x = span.first; x < span.end; ++x) {
         const std::uint64_t a = stream.next64();
@@ -62,15 +62,19 @@ void add_normal(const hw::Dither& d, const hw::MachineSpec& m, int y, Span span,
     }
 }
 
-void add_dither(const ShadowTest& s, int y, Span span, RowMemory& memory) {
-    const hw::Dither& d = s.dither;
-    if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, s.machine, y, span, memory);
-    if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, s.machine, y, span, memory);
-    hw::NoiseSource noise(d, s.machine, static_cast<int>(span.first), y);
-    for (std::size_t x = span.first; x < span.end; ++x) {
+void add_dither(const RowLine& line, Span span, RowMemory& memory) {
+    const hw::MachineSpec& m = line.test->machine;
+    const hw::Dither& d = line.test->dither;
+    const int x = line.first + static_cast<int>(span.first);
+    const std::uint64_t pixel =
+        (static_cast<std::uint64_t>(line.y) << m.xy_bits) + static_cast<std::uint64_t>(x);
+    if (d.shape == hw::DitherShape::normal4) return add_normal<4>(d, m, pixel, span, memory);
+    if (d.shape == hw::DitherShape::normal) return add_normal<12>(d, m, pixel, span, memory);
+    hw::NoiseSource noise(d, m, x, line.y);
+    for (std::size_t i = span.first; i < span.end; ++i) {
         const hw::DitherWords w = noise.next();
-        memory.result[0][x] += w.x;
-        memory.result[1][x] += w.y;
+        memory.result[0][i] += w.x;
+        memory.result[1][i] += w.y;
     }
 }
 
@@ -144,7 +148,7 @@ std::uint32_t bilinear_row(const RowLine& line, Span span, RowMemory& memory) {
             shadow = static_cast<std::uint32_t>(code) << (2 * f) > blend;
         } else {
             // At the map's edge, outside the volume, or falling back: the definition itself.
-            shadow = row_pixel_in_shadow(line, x, y, memory.result[2][i]);
+            shadow = row_pixel_darkness(line, x, y, memory.result[2][i]) != mask_lit;
         }
         line.mask[i] = shadow ? mask_shadow : mask_lit;
         shadowed += shadow;
@@ -152,10 +156,52 @@ std::uint32_t bilinear_row(const RowLine& line, Span span, RowMemory& memory) {
     return shadowed;
 }
 
+// Of a window that lies on the map, from its first texel on.
+std::uint8_t window_of_row(const RowLine& line, const hw::Depth16* texels, std::int32_t code) {
+    const int side = line.window_side;
+    std::int32_t dark = 0, sum = 0;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const std::int32_t z = texels[j * line.size + i];
+            dark += code > z ? 1 : 0;
+            sum += z;
+        }
+    if (line.percentage) return share_of_dark(dark, line.light->window);
+    return code * side * side > sum ? mask_shadow : mask_lit;
+}
+
+std::uint32_t window_row(const RowLine& line, Span span, RowMemory& memory) {
+    const hw::MachineSpec& m = line.test->machine;
+    const Window& window = line.light->window;
+    const auto edge = static_cast<std::int32_t>(volume_edge(m));
+    const std::int32_t last = line.size - line.window_side;
+    const auto inside = [&](std::int32_t v) { return v >= -edge && v < edge; };
+    std::uint32_t shadowed = 0;
+    for (std::size_t i = span.first; i < span.end; ++i) {
+        const std::int32_t x = memory.result[0][i], y = memory.result[1][i];
+        const std::int32_t code = memory.result[2][i] + line.offset;
+        line.mask[i] = mask_lit;
+        if (line.depth[i] == line.background || !inside(x) || !inside(y) || code < 0 ||
+            code >= line.background)
+            continue;
+        const std::int32_t tx = first_texel(m, window, x), ty = first_texel(m, window, y);
+        line.mask[i] =
+            tx >= 0 && ty >= 0 && tx <= last && ty <= last
+                ? window_of_row(line, line.texels + (ty << line.xy_bits) + tx, code)
+                : row_pixel_darkness(line, x, y, memory.result[2][i]);
+        shadowed += line.mask[i] != mask_lit;
+    }
+    return shadowed;
+}
+
+std::uint32_t look_up_row(const RowLine& line, Span span, RowMemory& memory) {
+    if (line.window_side > 0) return window_row(line, span, memory);
+    return line.bilinear ? bilinear_row(line, span, memory) : nearest_row(line, span, memory);
+}
+
 }  // namespace
 
 RowCounts plain_row(const RowLine& line, RowMemory& memory) {
-    const ShadowTest& s = *line.test;
     const auto n = static_cast<std::size_t>(line.width);
     const auto none = static_cast<hw::Depth16>(line.background);
     const Span span = visible_span(line.depth, n, none);
@@ -165,10 +211,8 @@ RowCounts plain_row(const RowLine& line, RowMemory& memory) {
     std::uint32_t visible = 0;
     for (std::size_t x = span.first; x < span.end; ++x) visible += line.depth[x] != none;
     transform_row(line, span, memory);
-    if (line.uniforms > 0) add_dither(s, line.y, span, memory);
-    const std::uint32_t shadowed = line.bilinear ? bilinear_row(line, span, memory)
-                                                 : nearest_row(line, span, memory);
-    return {visible, shadowed};
+    if (line.uniforms > 0) add_dither(line, span, memory);
+    return {visible, look_up_row(line, span, memory)};
 }
 
 }  // namespace umbra78::shadow

@@ -1,8 +1,10 @@
 // The fast forms equal their definitions at widths small enough to try everything: the post-process
 // by rows against pixel by pixel, a block's centres in lanes against triangle by triangle, and the
 // reciprocal root of the shading for every one of its 2^29 arguments.
+#include "fixed/rounding.hpp"
 #include "raster/block_form.hpp"
 #include "shadow/post_process.hpp"
+#include "shadow/result_form.hpp"
 #include "shadow/row_form.hpp"
 #include "tests/proofs/proofs.hpp"
 
@@ -16,9 +18,17 @@ namespace umbra78::raster::proof_lanes {  // the text itself, to look into it
 #define UMBRA78_LANES_TEXT
 #include "raster/block_body.hpp"
 #undef UMBRA78_LANES_TEXT
-[[maybe_unused]] constexpr BlockForm whole{"", nullptr, expand_form, centres_form, leaves_form,
-                                           shade_form};
+[[maybe_unused]] constexpr BlockForm whole{
+    "", nullptr, expand_form, centres_form, leaves_form, shade_form,
+    {see_form, measure_form, few_form, tile_form, put_form, shade_facets_form}};
 }  // namespace umbra78::raster::proof_lanes
+
+namespace umbra78::shadow::proof_lanes {
+#define UMBRA78_LANES_TEXT
+#include "shadow/result_body.hpp"
+#undef UMBRA78_LANES_TEXT
+[[maybe_unused]] constexpr ResultForm whole{"", nullptr, results_form};
+}  // namespace umbra78::shadow::proof_lanes
 
 namespace umbra78::proofs {
 namespace {
@@ -39,12 +49,15 @@ bool rows_hold() {
     const shadow::DepthMaps<hw::Depth16> maps{.observer = {4, observer}, .light = {4, light}};
     const auto memory = std::make_unique<shadow::RowMemory>();
     std::uint64_t covered = 0;
-    for (int setting = 0; setting < 8; ++setting) {
+    for (int setting = 0; setting < 16; ++setting) {
         shadow::ShadowTest test;
         test.machine.xy_bits = test.machine.z_bits = 4;
         test.machine.coefficient_bits = 8;
         test.machine.fraction_bits = 1;
         if ((setting & 1) != 0) test.lookup = shadow::Lookup::bilinear;
+        if ((setting & 8) != 0)
+            test.lookup = (setting & 1) != 0 ? shadow::Lookup::filtered_depth
+                                             : shadow::Lookup::percentage;
         if ((setting & 2) != 0) test.machine.transform_rounding = fixed::Rounding::floor;
         if ((setting & 4) != 0) test.dither = {hw::DitherShape::uniform, 512, 1978};
         const int step = setting == 0 ? 1 : 7;
@@ -68,6 +81,23 @@ bool rows_hold() {
             }
     }
     std::printf("rows: %llu matrices\n", static_cast<unsigned long long>(covered));
+    return v.tell();
+}
+
+// The reciprocal by which quotients are found, of every word of 32 bits with its highest bit set:
+// within 15 of 2^62 / n, so that 2^31 times its error is less than 2^35.
+bool reciprocals_hold() {
+    Verdict v("reciprocals of 31 bits, every argument");
+    std::uint64_t wrong = 0, at = 0;
+    for (std::uint64_t n = std::uint64_t{1} << 31; n < std::uint64_t{1} << 32; ++n) {
+        const auto y = static_cast<std::uint64_t>(
+            shadow::proof_lanes::reciprocal_of(static_cast<std::uint32_t>(n)));
+        const auto off = static_cast<std::int64_t>(y * n - (std::uint64_t{1} << 62));
+        if (static_cast<std::uint64_t>(off < 0 ? -off : off) <= (planted ? 7 : 15) * n) continue;
+        ++wrong;
+        at = n;
+    }
+    v.equal(Wide{wrong}, 0, Given{Wide{at}});
     return v.tell();
 }
 
@@ -218,6 +248,7 @@ bool root_is_the_codes() {
 
 bool forms() {
     bool all = rows_hold();
+    all = reciprocals_hold() && all;
     all = centres_hold() && all;
     all = root_is_the_codes() && all;
     return roots_hold() && all;

@@ -25,7 +25,7 @@ The programs beside the solvers:
   codes. By the production templates, against definitions in whole quotients.
 - **forms**: rows of 16 pixels by every instruction set against pixel by pixel, for pairs of 8-bit
   coefficients; leaves on a 5 x 5 lattice in lanes against triangle by triangle; the reciprocal root
-  of the shading for all its 2^29 arguments.
+  of the shading for all its 2^29 arguments, and the reciprocal of a quotient for all its 2^31.
 - **errors**: the worst errors of the last section.
 """
 

@@ -76,6 +76,15 @@ inline hw::MatrixWords random_matrix(Random& random, const hw::MachineSpec& spec
     return m;
 }
 
+// A W row like a view's: its constant outweighs the rest as a rule, and W may be small or negative.
+inline void make_w_row(Random& random, const hw::MachineSpec& spec, hw::MatrixWords& m) {
+    const std::int64_t max = (std::int64_t{1} << (spec.coefficient_bits - 1)) - 1;
+    const std::int64_t small = std::int64_t{1} << random.between(0, spec.coefficient_bits - 2);
+    for (std::size_t c = 0; c < 3; ++c)
+        m.word[3][c] = static_cast<std::int32_t>(random.between(-small, small));
+    m.word[3][3] = static_cast<std::int32_t>(random.between(max / 8, max));
+}
+
 // The settings that are not the defaults, for a failure's message.
 inline std::string describe(const Settings& s) {
     std::string text;
@@ -84,6 +93,10 @@ inline std::string describe(const Settings& s) {
             text += std::string(row.key) + "=" + std::to_string(row.get(s)) + " ";
     return text;
 }
+
+// The lookups that have a row form.
+inline constexpr Lookup row_lookups[] = {Lookup::nearest, Lookup::bilinear, Lookup::percentage,
+                                         Lookup::filtered_depth};
 
 // Settings of what the post-process reads; `rows` keeps to what the row form covers.
 inline Settings random_settings(Random& random, bool rows) {
@@ -99,11 +112,12 @@ inline Settings random_settings(Random& random, bool rows) {
     m.transform_rounding = rows ? pick(random, {fixed::Rounding::half_up, fixed::Rounding::floor})
                                 : random.rounding();
     s.registration = pick(random, {Registration::centre, Registration::index});
-    s.lookup = rows ? pick(random, {Lookup::nearest, Lookup::bilinear})
+    s.lookup = rows ? row_lookups[random.bits() % 4]
                     : pick(random, {Lookup::nearest, Lookup::bilinear, Lookup::bilinear,
                                     Lookup::percentage, Lookup::filtered_depth});
     s.taps = between(2, 5);
-    s.tap_places = pick(random, {TapPlaces::grid, TapPlaces::jittered});
+    s.tap_places = rows ? TapPlaces::grid
+                        : pick(random, {TapPlaces::grid, TapPlaces::jittered});
     s.background = pick(random, {Background::blend, Background::fall_back});
     s.dither.shape = static_cast<hw::DitherShape>(random.bits() % 5);
     s.dither.size_q8 = pick(random, {0, 1, 64, 255, 256, 257, 700, 1024});

@@ -148,6 +148,7 @@ void add_row_forms() {
         shadow::Lookup lookup;
         hw::DitherShape dither;
         bool divides = false;
+        int taps = 3;
     };
     using hw::DitherShape;
     for (const Case& c : {Case{"nearest", shadow::Lookup::nearest, DitherShape::none},
@@ -155,6 +156,12 @@ void add_row_forms() {
                           Case{"nearest, normal4", shadow::Lookup::nearest, DitherShape::normal4},
                           Case{"bilinear, normal", shadow::Lookup::bilinear,
                                DitherShape::normal},
+                          Case{"percentage closer 3 x 3", shadow::Lookup::percentage,
+                               DitherShape::none},
+                          Case{"percentage closer 5 x 5", shadow::Lookup::percentage,
+                               DitherShape::none, false, 5},
+                          Case{"filtered depth 3 x 3", shadow::Lookup::filtered_depth,
+                               DitherShape::none},
                           Case{"nearest, in perspective", shadow::Lookup::nearest,
                                DitherShape::none, true}})
         for (const shadow::RowForm& form : shadow::row_forms()) {
@@ -163,10 +170,16 @@ void add_row_forms() {
                 [c, &form](Bench& b, shadow::Settings s) {
                     s.lookup = c.lookup;
                     s.dither.shape = c.dither;
+                    s.taps = c.taps;
                     shadow::post_process_rows(b.frame.maps(), matrix_of(b, c.divides), s,
                                               *b.frame.rows, b.frame.lights[0].mask, form);
                 });
         }
+    add("post-process, percentage closer 3 x 3, plain form", 3,
+        [](Bench& b, shadow::Settings s) {
+            s.lookup = shadow::Lookup::percentage;
+            shadow::post_process(b.frame.maps(), matrix_of(b, false), s, b.frame.lights[0].mask);
+        });
     add("post-process, in perspective, plain form", 3, [](Bench& b, const shadow::Settings& s) {
         shadow::post_process(b.frame.maps(), matrix_of(b, true), s, b.frame.lights[0].mask);
     });
