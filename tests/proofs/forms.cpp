@@ -16,8 +16,9 @@ namespace umbra78::raster::proof_lanes {  // the text itself, to look into it
 #define UMBRA78_LANES_TEXT
 #include "raster/block_body.hpp"
 #undef UMBRA78_LANES_TEXT
-[[maybe_unused]] constexpr BlockForm whole{"", nullptr, expand_form, centres_form, leaves_form,
-                                           shade_form};
+[[maybe_unused]] constexpr BlockForm whole{
+    "",         nullptr, expand_form, centres_form, leaves_form,
+    shade_form, {see_form, measure_form, few_form, tile_form, put_form, shade_facets_form}};
 }  // namespace umbra78::raster::proof_lanes
 
 namespace umbra78::proofs {
