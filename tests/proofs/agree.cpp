@@ -244,6 +244,12 @@ bool stages_agree(Words& words) {
         return Given{raster::detail::turn({w32(in[0]), w32(in[1]), 0}, {w32(in[2]), w32(in[3]), 0},
                                           w64(in[4]), w64(in[5]))};
     }));
+    stage(stage_agrees<stages::view_axis_64>("view_axis_64", words, [](const Wide* in) {
+        const bool tie = ((in[0] * in[1]) & (raster::axis_one - 1)) == raster::axis_one / 2;
+        const std::int64_t out = raster::axis_product(w32(in[0]), w32(in[1]));
+        const Wide down = (in[0] * in[1]) >> raster::axis_fraction;
+        return Given{tie && out == down ? out + 1 : out};
+    }));
     stage(stage_agrees<stages::plane_64>("plane_64", words, [](const Wide* in) {
         using shadow::rivals::Point;
         const auto p = [&](int k) { return Point{w32(in[k]), w32(in[k + 1]), w32(in[k + 2])}; };

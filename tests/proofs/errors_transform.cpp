@@ -1,6 +1,7 @@
 // Worst errors of the transform unit's stages, by the production code on adversarial words.
 #include "fixed/divide.hpp"
 #include "fixed/dither.hpp"
+#include "hw/ap120b/transform.hpp"
 #include "hw/transform_unit.hpp"
 #include "tests/proofs/search.hpp"
 
@@ -154,6 +155,44 @@ void dither(Words& words) {
     }
 }
 
+// A coefficient's odd mantissa of 27 bits whose product with a word of 15 bits lies just beside a
+// half of what is rounded off.
+fixed::Float38 beside_half(Words& words, std::uint32_t word, bool above) {
+    std::uint32_t inverse = word;
+    for (int i = 0; i < 4; ++i) inverse *= 2 - word * inverse;
+    const std::uint32_t low = (inverse * ((1u << 14) + (above ? 1 : -1))) & 0x7fff;
+    return fixed::Float38::from_parts(words.number(0xf00, 0xfff) << 15 | static_cast<int>(low),
+                                      512);
+}
+
+void array_rows(Words& words) {
+    Worst worst("array_row");
+    using hw::ap120b::Vector;
+    for (int k = 0; k < 300'000; ++k) {
+        const bool above = words.bits() % 2 == 0;
+        std::array<std::int32_t, 3> v{};
+        hw::ap120b::Matrix m{};
+        Vector in{};
+        in[3] = fixed::Float38::from_host(1).normalised();
+        Given given;
+        Wide exact = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+            v[j] = 2 * words.number(16000, 16383) + 1;
+            in[j] = fixed::Float38::from_host(static_cast<std::int16_t>(v[j])).normalised();
+            m[0][j] = beside_half(words, static_cast<std::uint32_t>(v[j]), above);
+            exact += Wide{m[0][j].mantissa()} * v[j];
+            given.insert(given.end(), {m[0][j].mantissa(), v[j]});
+        }
+        m[0][3] = fixed::Float38::from_parts(words.number(1 << 26, (1 << 27) - 1), 512);
+        exact += m[0][3].mantissa();
+        given.push_back(m[0][3].mantissa());
+        const fixed::Float38 out = hw::ap120b::times(m, in)[0];
+        // Its last bit counts 2^-27 2^(exponent - 512) of a word, exact's 2^-27.
+        const Wide of_out = Wide{out.mantissa()} << (out.biased_exponent() - 512);
+        worst.add(ratio(of_out - exact, Wide{1} << 27), given);
+    }
+}
+
 }  // namespace
 
 void transform_errors() {
@@ -162,6 +201,7 @@ void transform_errors() {
     rounded_words(words);
     divides(words);
     dither(words);
+    array_rows(words);
 }
 
 }  // namespace umbra78::proofs

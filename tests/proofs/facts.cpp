@@ -1,10 +1,12 @@
 // Writes the constants of the headers that the proofs are about to a file, lines "name value".
 #include "hw/machine_spec.hpp"
+#include "raster/arc.hpp"
 #include "raster/draw_setup.hpp"
 #include "raster/facet.hpp"
 #include "raster/leaf_grid.hpp"
 #include "raster/sampling.hpp"
 #include "raster/triangle.hpp"
+#include "shadow/rivals/light_lines.hpp"
 #include "shadow/rivals/planes.hpp"
 
 #include <cstdint>
@@ -29,6 +31,20 @@ void range(const char* name, int MachineSpec::*width) {
 
 void fact(const char* name, std::int64_t value) {
     std::printf("%s %lld\n", name, static_cast<long long>(value));
+}
+
+// The greatest component of an arc's control points, Q2.30.
+std::int64_t arc_reach() {
+    std::int64_t reach = 0;
+    for (int k = 0; k < 8; ++k)
+        for (int i = 0; i < 4; ++i) {
+            const umbra78::fixed::SineCosine p = umbra78::raster::arc_point(k, i);
+            for (const std::int64_t v : {p.sine, p.cosine}) {
+                const std::int64_t size = v < 0 ? -v : v;
+                reach = size > reach ? size : reach;
+            }
+        }
+    return reach;
 }
 
 }  // namespace
@@ -57,8 +73,11 @@ int main(int, char** words) {
     fact("max_corner_error", raster::max_corner_error);
     fact("deepest_level", raster::deepest_level);
     fact("leaf_levels", raster::leaf_levels);
+    fact("max_world", raster::max_world);
+    fact("arc_reach", arc_reach());
     fact("word_bits", shadow::rivals::word_bits);
     fact("max_word", shadow::rivals::max_word);
+    fact("leading_bits", shadow::rivals::leading_bits);
     fact("normal_bits", shadow::rivals::normal_bits);
     fact("offset_bits", shadow::rivals::offset_bits);
     fact("line_bits", shadow::rivals::line_bits);

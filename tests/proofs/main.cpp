@@ -12,6 +12,7 @@ bool planted = false;
 bool errors() {
     transform_errors();
     filter_errors();
+    line_errors();
     return surface_errors();
 }
 

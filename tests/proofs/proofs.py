@@ -200,7 +200,8 @@ def rounded_out(v):
 
 
 def render(text, variables):
-    scope = {**variables, "deepest": deepest, "leaf": leaf, "squares": squares, "max": max}
+    scope = {**variables, "deepest": deepest, "facts": facts, "leaf": leaf, "squares": squares,
+             "max": max}
     text = text.replace("{{", "\1").replace("}}", "\2")
 
     def value(m):

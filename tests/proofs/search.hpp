@@ -39,5 +39,6 @@ inline double ratio(Wide numerator, Wide denominator) {
 void transform_errors();  // errors_transform.cpp
 bool surface_errors();    // errors_surface.cpp
 void filter_errors();     // errors_filter.cpp
+void line_errors();       // errors_lines.cpp
 
 }  // namespace umbra78::proofs

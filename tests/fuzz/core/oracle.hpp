@@ -60,7 +60,7 @@ inline hw::MachineSpec any_spec(Bytes& bytes) {
     hw::MachineSpec m;
     const auto rounding = [&bytes] { return static_cast<hw::Rounding>(bytes.number(0, 6)); };
     m.xy_bits = bytes.number(3, 13);
-    m.z_bits = bytes.number(3, 25);
+    m.z_bits = bytes.number(3, 27);
     m.coefficient_bits = bytes.number(7, 33);
     m.fraction_bits = bytes.number(-1, 13);
     m.multipliers = std::array{1, 4, 16, 3}[static_cast<std::size_t>(bytes.number(0, 3))];
@@ -69,6 +69,7 @@ inline hw::MachineSpec any_spec(Bytes& bytes) {
     m.transform_rounding = rounding();
     m.coefficient_rounding = rounding();
     m.depth_rounding = rounding();
+    m.depth_store = static_cast<hw::DepthStore>(bytes.number(0, 2));
     m.divide_order = static_cast<hw::DivideOrder>(bytes.number(0, 1));
     return m;
 }
@@ -84,6 +85,7 @@ inline oracle::Settings settings_of(const hw::MachineSpec& m) {
     s.transform_rounding = static_cast<int>(m.transform_rounding);
     s.coefficient_rounding = static_cast<int>(m.coefficient_rounding);
     s.depth_rounding = static_cast<int>(m.depth_rounding);
+    s.depth_store = static_cast<int>(m.depth_store);
     s.divide_order = static_cast<int>(m.divide_order);
     s.sampling = oracle::CENTRE;
     oracle::widths(&s);

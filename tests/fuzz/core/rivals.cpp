@@ -1,10 +1,10 @@
-// Fuzz target: scenes of polygons full of ties. Brute force by lines that it keeps, by the light's
-// grid and by asking every facet, and shadow volumes, have the same mask.
+// Fuzz target: scenes of polygons full of ties, which the rivals' other targets take, too. Brute
+// force by lines that it keeps, by the light's grid and by asking every facet, and shadow volumes,
+// have the same mask.
 #include "shadow/rivals/brute.hpp"
 #include "shadow/rivals/light_grid.hpp"
 #include "shadow/rivals/volumes.hpp"
-#include "tests/fuzz/core/oracle.hpp"
-#include "tests/shadow/rivals/scenes.hpp"
+#include "tests/fuzz/core/polygons.hpp"
 
 #include <vector>
 
@@ -12,12 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace umbra78::shadow::rivals;
     using umbra78::fuzz::demand;
     umbra78::fuzz::Bytes bytes(data, size);
-    int left = 400;  // of zeros without end a light would never come
-    const test::Polygons polygons = test::chosen_polygons([&](int from, int to) {
-        if (--left < 0) return to;
-        return bytes.number(from, to);
-    });
-    const test::Scene scene(polygons);
+    const test::Scene scene(umbra78::fuzz::any_polygons(bytes));
     const Setting& s = scene.setting();
     const std::vector<std::uint8_t> brute_mask = scene.brute_mask();
     for (std::size_t at = 0; at < brute_mask.size(); ++at) {

@@ -10,7 +10,10 @@ namespace {
 
 using hw::MachineSpec;
 
-void check_formats(const MachineSpec& m, const oracle::Settings& s) {
+void check_formats(const MachineSpec& m, const oracle::Settings& s, Bytes& bytes) {
+    const auto code = static_cast<std::uint32_t>(bytes.in(0, std::int64_t{m.deepest_drawn()}));
+    demand(m.kept(code) == oracle::kept_code(code, &s), "the store keeps section 28's codes");
+
     demand(m.word_bits() <= 32 && m.built_bits() <= 64, "a format of the specification");
     demand(m.size_px() == s.size_px && m.word_bits() == s.word_bits &&
                m.one_word() == s.one_word && m.dropped_bits() == s.dropped_bits &&
@@ -83,7 +86,7 @@ void run(Bytes& bytes) {
     const MachineSpec m = any_spec(bytes);
     if (hw::check(m) != hw::SpecStatus::ok) return;
     const oracle::Settings s = settings_of(m);
-    check_formats(m, s);
+    check_formats(m, s, bytes);
     const hw::MatrixWords matrix = any_matrix(bytes, m);
     if (!has_results(matrix, m)) return;
     const hw::Words v{bytes.word(m.word_bits()), bytes.word(m.word_bits()),

@@ -87,3 +87,19 @@
 (assert (not (between (bvadd apart (ite of_z (bvsub z xy) f)) (bvneg (_ bv62 80)) (_ bv62 80))))
 (check-sat)
 (pop)
+; claim: a sector's X and Y have an exponent xy_bits - 1 above its W's, so they shift 23 places at
+; most, and up
+; weaken: (_ bv23 80) => (_ bv22 80)
+(push)
+(assert (not (between (bvadd (bvsub xy (_ bv1 80)) f) (_ bv0 80) (_ bv23 80))))
+(check-sat)
+(pop)
+; claim: the opposite of a sum, which a sector's face may take, stays within the accumulator
+; weaken: (bvsub bits (_ bv1 80)) => (bvsub bits (_ bv4 80))
+(push)
+(assert (and (is_product p0) (is_product p1) (is_product p2) (is_product p3)))
+(define-fun end () (_ BitVec 80) (power (bvsub bits (_ bv1 80))))
+(define-fun opposite () (_ BitVec 80) (bvneg (bvadd p0 p1 p2 p3)))
+(assert (not (and (bvsle (bvneg end) opposite) (bvslt opposite end))))
+(check-sat)
+(pop)

@@ -39,3 +39,12 @@
 (assert (>= (+ x y a) 2.0))
 (check-sat)
 (pop)
+; claim: raster/view.hpp, axes_from_points: u x - v y of two axes Q2.30 of length 1 (to 2^-20) is at
+; most 1.000001, so that up's y component has a word
+; weaken: (<= (+ (* x x) (* y y)) 1.000001) => (<= (+ (* x x) (* y y)) 1.1)
+(push)
+(assert (and (<= (+ (* x x) (* y y)) 1.000001) (<= (+ (* u u) (* v v)) 1.000001)))
+(assert (and (>= (* (- u x) (- u x)) 0.0) (>= (* (+ v y) (+ v y)) 0.0)))  ; a hint
+(assert (> (- (* u x) (* v y)) 1.000001))
+(check-sat)
+(pop)

@@ -4,7 +4,8 @@
 #include "shadow/rivals/perimeters.hpp"
 #include "tests/shadow/rivals/scenes.hpp"
 
-#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
 
 namespace umbra78::shadow::rivals::test {
 
@@ -79,23 +80,6 @@ public:
                        "a test's room for a piece's lines");
         return mask;
     }
-    // How often a pixel was found in a piece; each pixel's own is lit as `mask` has it.
-    std::uint64_t pixels_in_pieces() {
-        const auto mask = this->mask();
-        std::vector<std::uint32_t> numbers(shown_.size());
-        std::vector<ShownLine> room(store_.longest());
-        MaskCounts counts;
-        fixed::require(pieces_of_pixels(lines_, store_, shown_, room, numbers, counts),
-                       "a test's room for a piece's lines");
-        for (std::size_t at = 0; at < mask.size(); ++at) {
-            const bool has_piece = numbers[at] != no_piece;
-            EXPECT_EQ(has_piece, shown_[at] != nothing_seen && !setting_.attached(shown_[at]));
-            if (!has_piece) continue;
-            EXPECT_EQ(store_.pieces()[numbers[at]].is_lit, mask[at] == lit) << "pixel " << at;
-            EXPECT_EQ(store_.pieces()[numbers[at]].facet, shown_[at]) << "pixel " << at;
-        }
-        return counts.pixels;
-    }
     // Through the grid, which fuzz_test compares with all facets.
     std::vector<std::uint8_t> brute_mask(BruteCounts& counts) const {
         std::vector<std::uint8_t> mask(shown_.size());
@@ -130,32 +114,5 @@ private:
     PerimeterCounts perimeter_counts_{};
     MaskCounts mask_counts_{};
 };
-
-// How many pieces hold a pixel's point. In a partition it is one.
-inline std::size_t pieces_at(const LightLines& lines, const PieceStore& store, std::uint32_t on,
-                             std::size_t at) {
-    const Space& space = lines.setting().space;
-    const auto size = static_cast<std::size_t>(space.size_px());
-    const std::int32_t px = space.centre(static_cast<int>(at % size));
-    const std::int32_t py = space.centre(static_cast<int>(at / size));
-    std::size_t count = 0;
-    for (const Piece& piece : store.of(on)) {
-        bool inside = true;
-        for (const LineId id : store.lines(piece))
-            inside = inside && lines.shown(on, id).sign_at(px, py) > 0;
-        count += inside ? 1 : 0;
-    }
-    return count;
-}
-
-// Each of the pixels, of which every `step`-th is asked, is in one piece of the facet it shows.
-inline void expect_partition(ObjectSpace& o, std::span<const std::uint32_t> shown,
-                             std::size_t step) {
-    for (std::size_t at = 0; at < shown.size(); at += step) {
-        const std::uint32_t on = shown[at];
-        if (on == nothing_seen || o.lines().setting().attached(on)) continue;
-        ASSERT_EQ(pieces_at(o.lines(), o.store(), on, at), 1u) << "pixel " << at;
-    }
-}
 
 }  // namespace umbra78::shadow::rivals::test

@@ -4,7 +4,7 @@
 
 #include "tests/shadow/rivals/atherton.hpp"
 #include "tests/shadow/rivals/figures_scene.hpp"
-#include "tests/shadow/rivals/object_space.hpp"
+#include "tests/shadow/rivals/partition.hpp"
 #include "tests/support/paths.hpp"
 
 #include <fstream>
@@ -74,7 +74,7 @@ inline void check_split(const FiguresScene& scene, int k, bool only_seen) {
     EXPECT_EQ(split_row(o, scene.setting(), k), published_row(table, k)) << table;
     BruteCounts counts;
     EXPECT_EQ(o.mask(), o.brute_mask(counts)) << table << ", k " << k;
-    EXPECT_EQ(o.pixels_in_pieces(), counts.points);  // each is in one piece
+    EXPECT_EQ(pixels_in_pieces(o, scene.shown()), counts.points);  // each is in one piece
     expect_partition(o, scene.shown(), 97);
 }
 
@@ -88,7 +88,7 @@ inline void check_perimeters(const FiguresScene& scene, int k, bool in_pairs) {
     EXPECT_EQ(o.order_counts().hides, k == 16 ? 8u : 0u);
     BruteCounts counts;
     EXPECT_EQ(o.mask(), o.brute_mask(counts)) << "k " << k;
-    EXPECT_EQ(o.pixels_in_pieces(), counts.points);  // each is in one piece
+    EXPECT_EQ(pixels_in_pieces(o, scene.shown()), counts.points);  // each is in one piece
     expect_partition(o, scene.shown(), 97);
 }
 
