@@ -239,7 +239,7 @@ def never_blocks(p):
 
 
 def report_speed(p):
-    """Not checked, for it is the computer's: what the worker takes for a frame, the least of many."""
+    """Not checked, for it is the computer's: the least that the worker takes for a frame."""
     def least(prepare, change, rounds):
         times = []
         for n in range(rounds):
