@@ -100,6 +100,18 @@ bool axes_from_points(const World& from, const World& to, ViewAxes& out) {
     return true;
 }
 
+std::int32_t distance_between(const World& a, const World& b) {
+    std::uint64_t sum = 0;
+    for (const std::int64_t d : {std::int64_t{a.x} - b.x, std::int64_t{a.y} - b.y,
+                                 std::int64_t{a.z} - b.z}) {
+        if (d < -max_distance || d > max_distance) return 0;
+        sum += static_cast<std::uint64_t>(d * d);
+    }
+    const std::uint64_t root = fixed::isqrt(sum);
+    const std::uint64_t rounded = root + (sum - root * root > root ? 1 : 0);
+    return rounded > max_distance ? 0 : static_cast<std::int32_t>(rounded);
+}
+
 DepthRange depth_range(const View& view, const Surfaces& surfaces) {
     AxisRange back;
     surfaces.for_points([&](const World& p) { back.add(along(view.axes.back, p)); });

@@ -46,6 +46,10 @@ ViewAxes axes_from_angles(std::int32_t azimuth_q16, std::int32_t elevation_q16);
 // Straight down or up, right is (1, 0, 0). False, and `out` as it was, if the points coincide.
 bool axes_from_points(const World& from, const World& to, ViewAxes& out);
 
+// The distance of two points, rounded half up; 0 if it is beyond max_distance.
+inline constexpr std::int32_t max_distance = 32767 << world_fraction;
+std::int32_t distance_between(const World& a, const World& b);
+
 // Where light (i, j) of n x n stands on a square source: so many `over`ths of its side to the right
 // and up from its middle (hw/MACHINE.md, section 23). In the middle of its cell, or where two bytes
 // of noise put it.

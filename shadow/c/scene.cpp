@@ -44,6 +44,11 @@ bool has(const umbra78_scene& scene, std::uint16_t material) {
 
 bool is_level(std::int32_t level) { return level >= 0 && level <= 255; }
 
+// A light is a source of its own.
+bool has_room_for_light(const umbra78_scene& scene) {
+    return scene.light_count < shadow::max_lights && scene.light_count < raster::max_sources;
+}
+
 // Degrees from -360 to 360, elevations up to straight up or down; depths as a scene file has them.
 umbra78_status read(const umbra78_view& from, umbra78_placed_view& to) {
     constexpr std::int64_t max_depth = std::int64_t{4} * (32767 << 16);
@@ -187,12 +192,29 @@ umbra78_status umbra78_set_observer(umbra78_scene* scene, const umbra78_view* vi
 
 umbra78_status umbra78_add_light(umbra78_scene* scene, const umbra78_view* view) {
     if (scene == nullptr || view == nullptr) return UMBRA78_NULL_ARGUMENT;
-    // A light is a source of its own.
-    if (scene->light_count == shadow::max_lights || scene->light_count == raster::max_sources)
-        return UMBRA78_SCENE_FULL;
+    if (!has_room_for_light(*scene)) return UMBRA78_SCENE_FULL;
     const umbra78_status status = read(*view, scene->lights[scene->light_count]);
     if (status == UMBRA78_OK) ++scene->light_count;
     return status;
+}
+
+umbra78_status umbra78_add_lamp(umbra78_scene* scene, const int32_t place_q16[3],
+                                const int32_t target_q16[3], int32_t extent_q16) {
+    if (scene == nullptr || place_q16 == nullptr || target_q16 == nullptr)
+        return UMBRA78_NULL_ARGUMENT;
+    if (!has_room_for_light(*scene)) return UMBRA78_SCENE_FULL;
+    if (!in_world(place_q16) || !in_world(target_q16)) return UMBRA78_OUT_OF_WORLD;
+    raster::View view;
+    const raster::World place = world(place_q16);
+    view.projection = raster::Projection::perspective;
+    view.target = world(target_q16);
+    view.extent = extent_q16;
+    view.distance = raster::distance_between(place, view.target);
+    if (extent_q16 <= 0 || !in_world(extent_q16) || view.distance == 0 ||
+        !raster::axes_from_points(place, view.target, view.axes))
+        return UMBRA78_BAD_VIEW;
+    scene->lights[scene->light_count++] = {view, true, true};
+    return UMBRA78_OK;
 }
 
 umbra78_status umbra78_take_figure(umbra78_scene* scene, int figure) {

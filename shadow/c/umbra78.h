@@ -111,6 +111,9 @@ UMBRA78_API umbra78_status umbra78_add_triangle(umbra78_scene* scene, const uint
                                                 uint16_t material);
 UMBRA78_API umbra78_status umbra78_set_observer(umbra78_scene* scene, const umbra78_view* view);
 UMBRA78_API umbra78_status umbra78_add_light(umbra78_scene* scene, const umbra78_view* view);
+/* A light at a place that looks at a target: its angles and its distance follow from them. */
+UMBRA78_API umbra78_status umbra78_add_lamp(umbra78_scene* scene, const int32_t place_q16[3],
+                                            const int32_t target_q16[3], int32_t extent_q16);
 /* The paper's four spheres, 128 patches and a material, with its observer, its light and the
  * settings of one of its figures 1 .. 6. For a new scene. */
 UMBRA78_API umbra78_status umbra78_take_figure(umbra78_scene* scene, int figure);

@@ -22,13 +22,19 @@ drawn() { # drawn WHAT GOLDENS PROGRAM: it draws so many
   count=$(grep -cxF -f tests/goldens/hashes.txt "$scratch/drawn" || true)
   [ "$count" -eq "$2" ] || { cat "$scratch/drawn"; fail "$1 draws $count of $2 goldens"; }
 }
-cmake -S tests/installed -B "$scratch/user" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$CC" \
-  -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_BUILD_TYPE=Release >"$scratch/log" 2>&1 &&
-  cmake --build "$scratch/user" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
-drawn "a user's program in C++" 1 "$scratch/user/user_cpp"
-drawn "a user's program in C" 8 "$scratch/user/user_core"
-drawn "the same by the shared object" 8 "$scratch/user/user_c"
-grep -qx 'umbra78 [0-9.]*: [0-9]* cycles' "$scratch/cycles" || fail "a user's program in C: cycles"
+users() { # users WHAT PREFIX: find_package(umbra78) there, and what is built with it
+  rm -rf "$scratch/user"
+  cmake -S tests/installed -B "$scratch/user" -DCMAKE_PREFIX_PATH="$2" -DCMAKE_C_COMPILER="$CC" \
+    -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_BUILD_TYPE=Release >"$scratch/log" 2>&1 &&
+    cmake --build "$scratch/user" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+  grep -q "umbra78_DIR:PATH=$2/" "$scratch/user/CMakeCache.txt" ||
+    fail "$1: find_package(umbra78) finds another than that of $2"
+  drawn "$1: a user's program in C++" 1 "$scratch/user/user_cpp"
+  drawn "$1: a user's program in C" 8 "$scratch/user/user_core"
+  drawn "$1: the same by the shared object" 8 "$scratch/user/user_c"
+  grep -qx 'umbra78 [0-9.]*: [0-9]* cycles' "$scratch/cycles" || fail "$1: a user's program: cycles"
+}
+users "installed" "$prefix"
 lib=$(dirname "$(find "$prefix" -name libumbra78.a)")
 $CC -std=c99 -I"$prefix/include/umbra78" tests/installed/user.c "$lib/libumbra78.a" \
   -o "$scratch/by_hand" || fail "a C program needs more than libumbra78.a"
@@ -69,21 +75,26 @@ complete_as() { # complete_as PREFIX LINE: what bash would offer
   bash -c '. "$1"; COMP_LINE=$2; COMP_POINT=${#2}; _umbra78 2>/dev/null
     echo "${COMPREPLY[*]}"' bash "$1/share/bash-completion/completions/umbra78" "$2"
 }
-offers() { # offers LINE WORDS
+offers() { # offers PREFIX LINE WORDS
   local got
-  got=$(complete_as "$prefix" "$1")
-  [ "$got" = "$2" ] || fail "the completion of '$1' offers '$got' and not '$2'"
+  got=$(complete_as "$1" "$2")
+  [ "$got" = "$3" ] || fail "$1: the completion of '$2' offers '$got' and not '$3'"
 }
-if [ -x "$prefix/bin/umbra78" ]; then
-  program "$prefix"
-  manual "$prefix"
-  offers "umbra78 pl" "plan"
-  offers "umbra78 render x.toml --js" "--json"
-  offers "umbra78 study er" "error-time"
-  offers "umbra78 study error-time --no" "--no-host-times"
-  offers "umbra78 render x.toml --set loo" "lookup="
-  offers "umbra78 render x.toml --set lookup=bi" "bilinear"
-fi
+completion() { # completion PREFIX
+  offers "$1" "umbra78 pl" "plan"
+  offers "$1" "umbra78 render x.toml --js" "--json"
+  offers "$1" "umbra78 study er" "error-time"
+  offers "$1" "umbra78 study error-time --no" "--no-host-times"
+  offers "$1" "umbra78 render x.toml --set loo" "lookup="
+  offers "$1" "umbra78 render x.toml --set lookup=bi" "bilinear"
+}
+the_program() { # the_program PREFIX: if it is there
+  [ -x "$1/bin/umbra78" ] || return 0
+  program "$1"
+  manual "$1"
+  completion "$1"
+}
+the_program "$prefix"
 
 # The module for Python, where it was built.
 module() { # module PREFIX
@@ -102,8 +113,8 @@ if command -v cpack >/dev/null && command -v dpkg-deb >/dev/null; then
   (cd "$build" && cpack -B "$scratch/deb") >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
   package=$(ls "$scratch"/deb/umbra78_"$version"_*.deb)
   dpkg-deb -x "$package" "$scratch/tree"
-  [ ! -x "$scratch/tree/usr/bin/umbra78" ] || program "$scratch/tree/usr"
-  [ ! -x "$scratch/tree/usr/bin/umbra78" ] || manual "$scratch/tree/usr"
+  the_program "$scratch/tree/usr"
+  users "unpacked" "$scratch/tree/usr"
   module "$scratch/tree/usr"
   find "$scratch/tree" -perm -002 ! -type l | grep . && fail "the package has files all may write"
   if [ "$(id -u)" -eq 0 ]; then # dpkg itself, with a root and a database of its own

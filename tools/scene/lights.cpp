@@ -34,9 +34,7 @@ void read_area(const TableReader& in, const raster::World& origin, ScenePoints& 
                 middle, light.view.axes, size,
                 noisy ? raster::noise_in_cell(n, i, j, u, v) : raster::middle_of_cell(n, i, j));
             const raster::World& to = view.target;
-            view.distance = rounded_length(std::int64_t{from.x} - to.x,
-                                           std::int64_t{from.y} - to.y,
-                                           std::int64_t{from.z} - to.z);
+            view.distance = raster::distance_between(from, to);
             if (view.distance == 0 || !raster::axes_from_points(from, to, view.axes)) {
                 in.report(in.need("size"),
                           fmt::format("{} puts a point of the area on its target, or beyond "

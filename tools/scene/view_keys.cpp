@@ -1,6 +1,5 @@
 #include "tools/scene/view_keys.hpp"
 
-#include "fixed/root.hpp"
 #include "tools/scene/view_fit.hpp"
 
 #include <fmt/format.h>
@@ -71,16 +70,6 @@ void fit_view(const TableReader& in, View& view, ScenePoints& points) {
     in.report(*node, what);
 }
 
-std::int32_t rounded_length(std::int64_t x, std::int64_t y, std::int64_t z) {
-    constexpr std::int64_t max = world_reach;
-    if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > max) return 0;
-    const auto sum = static_cast<std::uint64_t>(x * x) + static_cast<std::uint64_t>(y * y) +
-                     static_cast<std::uint64_t>(z * z);
-    const std::uint64_t root = fixed::isqrt(sum);
-    const std::uint64_t rounded = root + (sum - root * root > root ? 1 : 0);
-    return rounded > max ? 0 : static_cast<std::int32_t>(rounded);
-}
-
 raster::World less(const raster::World& a, const raster::World& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
@@ -98,9 +87,7 @@ void look_from_position(const TableReader& in, View& view, const raster::World& 
         in.report(node, fmt::format("{} is its target, {}; move one of them",
                                     in.called("position"),
                                     in.find("target") ? "as given" : "the middle of the scene"));
-    const raster::World& to = view.target;
-    view.distance = rounded_length(std::int64_t{from.x} - to.x, std::int64_t{from.y} - to.y,
-                                   std::int64_t{from.z} - to.z);
+    view.distance = raster::distance_between(from, view.target);
     if (view.distance == 0)
         in.report(node, fmt::format("{} is farther than 32767 from its target; use kind = "
                                     "\"directional\"", in.called("position")));

@@ -35,7 +35,4 @@ raster::World read_target(const TableReader&, ScenePoints&, const raster::World&
 
 raster::World less(const raster::World&, const raster::World&);
 
-// floor(|v| + 1/2), 0 if it does not fit a word.
-std::int32_t rounded_length(std::int64_t x, std::int64_t y, std::int64_t z);
-
 }  // namespace umbra78::tools

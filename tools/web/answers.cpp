@@ -121,8 +121,9 @@ ordered_json error_json(Session& session) {
     ordered_json json{{"windows", whole.flatness.windows}};
     json["flatness"] =
         whole.flatness.windows > 0 ? ordered_json(whole.flatness.median) : ordered_json(nullptr);
-    json["period_px"] =
-        peak.over_mean > 0 ? ordered_json(peak.at.period_px()) : ordered_json(nullptr);
+    // Too few errors for a spectrum have no period either.
+    const bool has_line = whole.flatness.windows > 0 && peak.over_mean > 0;
+    json["period_px"] = has_line ? ordered_json(peak.at.period_px()) : ordered_json(nullptr);
     json["peak_over_mean"] = peak.over_mean;
     if (truth->closed_form) {
         const ShadowReport report = session.error();

@@ -155,6 +155,9 @@ def test_errors_of_scenes():
                           "mine.toml")
     with pytest.raises(umbra78.Error, match="mine.toml:5: unknown key 'radios'.*did you mean"):
         umbra78.render(wrong)
+    with pytest.raises(umbra78.Error, match=r"hills.toml:\d+: a scene with a \[stream\] is drawn "
+                                            "by umbra78 render alone"):
+        umbra78.Scene.file(umbra78.scenes() / "hills.toml")
     with pytest.raises(umbra78.Error, match="no figure 7"):
         umbra78.figure_settings(7)
     with pytest.raises(TypeError, match="no true and false"):

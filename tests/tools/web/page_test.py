@@ -160,6 +160,12 @@ def settings(p):
     p.click("#reset-all")
     p.put("#profile", "ap120b", "change")
     check("profile=ap120b" in p.address(), "no machine of the time in " + p.address())
+    p.click("#figures button[data-name='figure 3']")
+    for key, value in ("bias_unit", "texels"), ("bias", "0.5"):
+        p.js("location.hash += `&${arguments[0]}=${arguments[1]}`", key, value)
+    p.put("#profile", "d16_unorm", "change")
+    equal(p.js("return document.getElementById('stage').width"), 2048, "today's map")
+    equal(p.text("gauge-false_shadow"), "23.69 %", "the stripes of today's 16 bits")
 
 
 def links(p):

@@ -38,9 +38,9 @@ export class Gauges {
     this.#put('host', `${frame.frame_ms.toFixed(1)} ms`);
     this.#put('isolated', grouped(frame.isolated_pixels));
     if (frame.rates) this.#takeRates(frame.rates);
-    byId('help-host').textContent = `light ${ms.light.toFixed(1)}, observer ` +
-      `${ms.observer.toFixed(1)}, shadow ${ms.post_process.toFixed(1)}, filters ` +
-      `${ms.filters.toFixed(1)}, the rest reading the scene, report and pictures`;
+    const stages = [['light', ms.light], ['observer', ms.observer], ['shadow', ms.post_process],
+                    ['filters', ms.filters]].map(([name, of]) => `${name} ${of.toFixed(1)}`);
+    byId('help-host').textContent = `the frame and its pictures: ${stages.join(', ')}`;
   }
 
   takeMachine({ cycles, ms }) {
