@@ -67,6 +67,17 @@ UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes
             ~(Mask)_mm256_cvtepi16_epi32(_mm256_extracti128_si256(none, 1))};
     return _mm256_movemask_epi8(none) != -1;
 }
+UMBRA78_LANES std::uint64_t drawn_of_64(const hw::Depth16* at, hw::Depth16 background) {
+    const __m256i none = _mm256_set1_epi16((short)background), *codes = (const __m256i*)at;
+    std::uint64_t backgrounds = 0;
+    for (int i = 0; i < 2; ++i) {
+        const __m256i a = _mm256_cmpeq_epi16(_mm256_loadu_si256(codes + 2 * i), none);
+        const __m256i b = _mm256_cmpeq_epi16(_mm256_loadu_si256(codes + 2 * i + 1), none);
+        const __m256i in_order = _mm256_permute4x64_epi64(_mm256_packs_epi16(a, b), 0xd8);
+        backgrounds |= (std::uint64_t)(std::uint32_t)_mm256_movemask_epi8(in_order) << 32 * i;
+    }
+    return ~backgrounds;
+}
 UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
     return (Word)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), (const int*)texels,
                                              raw(address), raw(some), sizeof(hw::Depth16));

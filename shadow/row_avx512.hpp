@@ -67,6 +67,12 @@ UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes
     *c = {(Word)_mm512_cvtepu16_epi32(z), _mm256_cmpneq_epi16_mask(code, rule.background)};
     return any(c->visible);
 }
+UMBRA78_LANES std::uint64_t drawn_of_64(const hw::Depth16* at, hw::Depth16 background) {
+    const __m512i none = _mm512_set1_epi16((short)background);
+    const std::uint64_t low = _mm512_cmpneq_epi16_mask(_mm512_loadu_si512(at), none);
+    const std::uint64_t high = _mm512_cmpneq_epi16_mask(_mm512_loadu_si512(at + 32), none);
+    return high << 32 | low;
+}
 UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
     return (Word)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), some, raw(address), texels,
                                              sizeof(hw::Depth16));

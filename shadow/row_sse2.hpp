@@ -65,6 +65,16 @@ UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes
     }
     return backgrounds != 0xffff;
 }
+UMBRA78_LANES std::uint64_t drawn_of_64(const hw::Depth16* at, hw::Depth16 background) {
+    const __m128i none = _mm_set1_epi16((short)background), *codes = (const __m128i*)at;
+    std::uint64_t backgrounds = 0;
+    for (int i = 0; i < 4; ++i) {
+        const __m128i a = _mm_cmpeq_epi16(_mm_loadu_si128(codes + 2 * i), none);
+        const __m128i b = _mm_cmpeq_epi16(_mm_loadu_si128(codes + 2 * i + 1), none);
+        backgrounds |= (std::uint64_t)_mm_movemask_epi8(_mm_packs_epi16(a, b)) << 16 * i;
+    }
+    return ~backgrounds;
+}
 UMBRA78_LANES __m128i pair(const hw::Depth16* texels, std::uint32_t at) {
     std::int32_t two;
     __builtin_memcpy(&two, texels + at, sizeof two);
