@@ -23,6 +23,15 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm256_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm256_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_bytes(Word to, Word v) {
+    const __m256i two = _mm256_maddubs_epi16(raw(v), _mm256_set1_epi8(1));
+    return to + (Word)_mm256_madd_epi16(two, _mm256_set1_epi16(1));
+}
+UMBRA78_LANES void store_high_halves(std::int16_t* at, Word v) {
+    const __m256i high = _mm256_srai_epi32(raw(v), 16);
+    const __m256i halves = _mm256_permute4x64_epi64(_mm256_packs_epi32(high, high), 0xd8);
+    _mm_storeu_si128((__m128i*)at, _mm256_castsi256_si128(halves));
+}
 UMBRA78_LANES Word add_products(Word to, Word a, Word b) { return to + sum_of_products(a, b); }
 UMBRA78_LANES Word product(Word a, Word b) { return a * b; }
 UMBRA78_LANES Word low_half(Word v) { return v & 0xffff; }

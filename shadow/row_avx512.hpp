@@ -23,6 +23,12 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm512_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm512_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_bytes(Word to, Word v) {
+    return (Word)_mm512_dpbusd_epi32(raw(to), raw(v), _mm512_set1_epi8(1));
+}
+UMBRA78_LANES void store_high_halves(std::int16_t* at, Word v) {
+    _mm256_storeu_si256((__m256i*)at, _mm512_cvtepi32_epi16(_mm512_srli_epi32(raw(v), 16)));
+}
 UMBRA78_LANES Word add_products(Word to, Word a, Word b) {
     return (Word)_mm512_dpwssd_epi32(raw(to), raw(a), raw(b));
 }
