@@ -84,6 +84,15 @@ bool has_visible(std::span<const Depth> line, std::uint32_t background) {
     return std::ranges::any_of(line, [&](Depth code) { return code != background; });
 }
 
+// Of at most 64 codes: bit k says whether code k is visible.
+template <class Depth>
+std::uint64_t drawn_of_64(std::span<const Depth> codes, Depth background) {
+    std::uint64_t drawn = 0;
+    for (std::size_t k = 0; k < codes.size(); ++k)
+        drawn |= std::uint64_t{codes[k] != background} << k;
+    return drawn;
+}
+
 // The lines of a plane of Z codes with something visible.
 template <class Depth>
 LineSet lines_with_visible(std::span<const Depth> depth, int size, std::uint32_t background) {

@@ -99,12 +99,9 @@ struct RowMemory {
     alignas(64) std::int64_t column_wide[4][widest_row];  // of result_form.hpp
     union {  // what the plain form keeps between its loops, or the sums of the lanes' noise
         alignas(64) std::int32_t result[3][widest_row];
-        alignas(64) std::uint16_t noise_sums[noise_words];
+        alignas(64) std::uint16_t noise_sums[2 * widest_row];
     };
-    union {
-        alignas(64) std::int32_t address[widest_row];
-        alignas(64) std::uint16_t noise_threes[noise_words / 3];
-    };
+    alignas(64) std::int32_t address[widest_row];
     alignas(64) std::int16_t noise[2 * widest_row];  // X and Y of each pixel
     alignas(64) std::uint32_t noise_bits[noise_words];
 };

@@ -23,6 +23,15 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm256_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm256_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_bytes(Word to, Word v) {
+    const __m256i two = _mm256_maddubs_epi16(raw(v), _mm256_set1_epi8(1));
+    return to + (Word)_mm256_madd_epi16(two, _mm256_set1_epi16(1));
+}
+UMBRA78_LANES void store_high_halves(std::int16_t* at, Word v) {
+    const __m256i high = _mm256_srai_epi32(raw(v), 16);
+    const __m256i halves = _mm256_permute4x64_epi64(_mm256_packs_epi32(high, high), 0xd8);
+    _mm_storeu_si128((__m128i*)at, _mm256_castsi256_si128(halves));
+}
 UMBRA78_LANES Word add_products(Word to, Word a, Word b) { return to + sum_of_products(a, b); }
 UMBRA78_LANES Word product(Word a, Word b) { return a * b; }
 UMBRA78_LANES Word low_half(Word v) { return v & 0xffff; }
@@ -66,6 +75,17 @@ UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes
     c[1] = {(Word)_mm256_cvtepu16_epi32(_mm256_extracti128_si256(z, 1)),
             ~(Mask)_mm256_cvtepi16_epi32(_mm256_extracti128_si256(none, 1))};
     return _mm256_movemask_epi8(none) != -1;
+}
+UMBRA78_LANES std::uint64_t drawn_of_64(const hw::Depth16* at, hw::Depth16 background) {
+    const __m256i none = _mm256_set1_epi16((short)background), *codes = (const __m256i*)at;
+    std::uint64_t backgrounds = 0;
+    for (int i = 0; i < 2; ++i) {
+        const __m256i a = _mm256_cmpeq_epi16(_mm256_loadu_si256(codes + 2 * i), none);
+        const __m256i b = _mm256_cmpeq_epi16(_mm256_loadu_si256(codes + 2 * i + 1), none);
+        const __m256i in_order = _mm256_permute4x64_epi64(_mm256_packs_epi16(a, b), 0xd8);
+        backgrounds |= (std::uint64_t)(std::uint32_t)_mm256_movemask_epi8(in_order) << 32 * i;
+    }
+    return ~backgrounds;
 }
 UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
     return (Word)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), (const int*)texels,

@@ -23,6 +23,12 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm512_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm512_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_bytes(Word to, Word v) {
+    return (Word)_mm512_dpbusd_epi32(raw(to), raw(v), _mm512_set1_epi8(1));
+}
+UMBRA78_LANES void store_high_halves(std::int16_t* at, Word v) {
+    _mm256_storeu_si256((__m256i*)at, _mm512_cvtepi32_epi16(_mm512_srli_epi32(raw(v), 16)));
+}
 UMBRA78_LANES Word add_products(Word to, Word a, Word b) {
     return (Word)_mm512_dpwssd_epi32(raw(to), raw(a), raw(b));
 }
@@ -66,6 +72,12 @@ UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes
     const __m256i z = _mm256_sll_epi16(_mm256_sub_epi16(code, rule.offset), rule.z_up);
     *c = {(Word)_mm512_cvtepu16_epi32(z), _mm256_cmpneq_epi16_mask(code, rule.background)};
     return any(c->visible);
+}
+UMBRA78_LANES std::uint64_t drawn_of_64(const hw::Depth16* at, hw::Depth16 background) {
+    const __m512i none = _mm512_set1_epi16((short)background);
+    const std::uint64_t low = _mm512_cmpneq_epi16_mask(_mm512_loadu_si512(at), none);
+    const std::uint64_t high = _mm512_cmpneq_epi16_mask(_mm512_loadu_si512(at + 32), none);
+    return high << 32 | low;
 }
 UMBRA78_LANES Word pairs(const hw::Depth16* texels, Word address, Mask some) {
     return (Word)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), some, raw(address), texels,

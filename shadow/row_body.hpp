@@ -307,5 +307,10 @@ static RowCounts run(const RowLine& line, RowMemory& m) {
     return line.bilinear ? run_bilinear(line, m) : run_nearest(line, m);
 }
 
+static void find_drawn(const hw::Depth16* codes, std::size_t words, hw::Depth16 none,
+                       std::uint64_t* drawn) {
+    for (std::size_t w = 0; w < words; ++w) drawn[w] = drawn_of_64(codes + 64 * w, none);
+}
+
 #undef UMBRA78_NO_DEPENDENCE
 #endif

@@ -9,6 +9,7 @@
 
 #include "shadow/post_process.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -60,6 +61,9 @@ struct RowForm {
     bool (*supported)();  // by this processor
     // Fills the line's mask, and reads the columns' shares of `memory`.
     RowCounts (*run)(const RowLine& line, RowMemory& memory);
+    // Of 64 codes a word: bit k of a word says whether its code k is another than `none`.
+    void (*find_drawn)(const hw::Depth16* codes, std::size_t words, hw::Depth16 none,
+                       std::uint64_t* drawn);
 };
 
 // All that are compiled in, `plain` first, the fastest last.
@@ -83,5 +87,7 @@ std::uint8_t row_pixel_darkness(const RowLine& line, std::int32_t x, std::int32_
 void start_row_noise(const RowLine& line, std::uint32_t* words);
 
 RowCounts plain_row(const RowLine& line, RowMemory& memory);
+void plain_drawn(const hw::Depth16* codes, std::size_t words, hw::Depth16 none,
+                 std::uint64_t* drawn);
 
 }  // namespace umbra78::shadow

@@ -74,16 +74,16 @@ bool has_avx512() {
            __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
            __builtin_cpu_supports("avx512vnni") != 0;
 }
-constexpr RowForm forms[] = {{"plain", always, plain_row},
-                             {"SSE2", always, sse2::run},
-                             {"AVX2", has_avx2, avx2::run},
-                             {"AVX-512", has_avx512, avx512::run}};
+constexpr RowForm forms[] = {{"plain", always, plain_row, plain_drawn},
+                             {"SSE2", always, sse2::run, sse2::find_drawn},
+                             {"AVX2", has_avx2, avx2::run, avx2::find_drawn},
+                             {"AVX-512", has_avx512, avx512::run, avx512::find_drawn}};
 }  // namespace
 
 #else
 namespace {
 bool always() { return true; }
-constexpr RowForm forms[] = {{"plain", always, plain_row}};
+constexpr RowForm forms[] = {{"plain", always, plain_row, plain_drawn}};
 }  // namespace
 #endif
 

@@ -15,13 +15,40 @@ static void draw_bits(const RowLine& line, int words, std::uint32_t* bits) {
     }
 }
 
-// The sums of the bytes of each word, of each half word, and the bytes.
-static void add_bytes(const std::uint32_t* bits, int words, std::uint16_t* sum) {
-    for (int i = 0; i < words; ++i) {
-        const std::uint32_t pairs_sum = (bits[i] & 0x00ff00ff) + (bits[i] >> 8 & 0x00ff00ff);
-        sum[i] = static_cast<std::uint16_t>((pairs_sum & 0xffff) + (pairs_sum >> 16));
+// Where a block of lanes is too long for the rest, it begins before it and writes some words again.
+UMBRA78_LANES void draw_words(const std::uint32_t* back31, const std::uint32_t* back28, int count,
+                              std::uint32_t* out) {
+    if (count < lanes) {
+        for (int i = 0; i < count; ++i) out[i] = back31[i] ^ back28[i];
+        return;
+    }
+    for (int i = 0; i < count; i += lanes) {
+        const int at = i < count - lanes ? i : count - lanes;
+        store(out + at, load(back31 + at) ^ load(back28 + at));
     }
 }
+
+// The same of words in three planes, by their numbers modulo 3: the words of a sum of twelve bytes
+// then have one place. 31 and 28 steps back lie in one plane, for 31 - 28 is 3, and not in the one
+// that is written; a step ends before it would read what it writes.
+static void draw_planes(const RowLine& line, int plane, std::uint32_t* bits) {
+    const int words = 3 * plane;
+    std::uint32_t first[32];
+    start_row_noise(line, first);
+    for (int n = 0; n < 31; ++n) bits[n % 3 * plane + n / 3] = first[n];
+    for (int known = 31, end, step = 1; known < words; known = end) {
+        while (62 * step <= known) step *= 2;
+        end = known + 28 * step < words ? known + 28 * step : words;
+        for (int r = 0; r < 3; ++r) {
+            const int from = (known - r + 2) / 3, to = (end - r + 2) / 3;
+            const int back = (r + 2 * step) % 3;  // the plane of r - step
+            const std::uint32_t* back31 = bits + back * plane + from - (31 * step + back - r) / 3;
+            draw_words(back31, back31 + step, to - from, bits + r * plane + from);
+        }
+    }
+}
+
+// The sums of the bytes of each half word, and the bytes.
 static void add_pairs(const std::uint32_t* bits, int words, std::uint16_t* sum) {
     for (int i = 0; i < words; ++i) {
         const std::uint32_t pairs_sum = (bits[i] & 0x00ff00ff) + (bits[i] >> 8 & 0x00ff00ff);
@@ -32,32 +59,54 @@ static void add_pairs(const std::uint32_t* bits, int words, std::uint16_t* sum) 
 static void take_bytes(const std::uint32_t* bits, int words, std::uint16_t* sum) {
     for (int i = 0; i < 4 * words; ++i) sum[i] = bits[i / 4] >> (i % 4 * 8) & 255u;
 }
-static void add_threes(const std::uint16_t* __restrict sum, int count,
-                       std::uint16_t* __restrict threes) {
-    for (int i = 0; i < count; ++i)
-        threes[i] = static_cast<std::uint16_t>(sum[3 * i] + sum[3 * i + 1] + sum[3 * i + 2]);
+
+// (2 sum - mean) amplitude + 2^15, less its low half, is scale sum + offset.
+struct NoiseScale {
+    std::int32_t scale, offset;
+};
+static NoiseScale noise_scale(const RowLine& line) {
+    return {2 * line.amplitude, (1 << 15) - 255 * line.uniforms * line.amplitude};
+}
+
+// Dither words of 1 or 2 bytes from their sums.
+static void scale_sums(const std::uint16_t* __restrict sum, int count, const NoiseScale& s,
+                       std::int16_t* __restrict noise) {
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t scaled = sum[i] * static_cast<std::uint32_t>(s.scale) +
+                                     static_cast<std::uint32_t>(s.offset);
+        noise[i] = static_cast<std::int16_t>(scaled >> 16);
+    }
+}
+// And of 4 or 12 from the words that hold them, of one plane or of three.
+UMBRA78_LANES void scale_words(const std::uint32_t* bits, int planes, int plane, int count,
+                               const NoiseScale& s, std::int16_t* noise) {
+    const Word scale = all(s.scale), offset = all(s.offset);
+    for (int i = 0; i < count; i += lanes) {
+        Word sum = add_bytes(Word{}, load(bits + i));
+        for (int r = 1; r < planes; ++r)
+            sum = add_bytes(sum, load(bits + r * plane + i));
+        store_high_halves(noise + i, product(sum, scale) + offset);
+    }
 }
 
 // Dither words of the pixels from x to end: X in the low half, Y in the high one.
 static void draw_noise(const RowLine& line, int x, int end, RowMemory& m) {
     const int k = line.uniforms, words = (end - x) * k / 2, sums = 2 * (end - x);
-    std::uint16_t* sum = m.noise_sums;
+    const NoiseScale scale = noise_scale(line);
+    std::int16_t* noise = m.noise + 2 * x;
+    if (k == 12) {
+        draw_planes(line, 2 * end, m.noise_bits);
+        scale_words(m.noise_bits + 2 * x, 3, 2 * end, sums, scale, noise);
+        return;
+    }
     draw_bits(line, end * k / 2, m.noise_bits);
     const std::uint32_t* bits = m.noise_bits + x * k / 2;
-    if (k == 1) take_bytes(bits, words, sum);
-    if (k == 2) add_pairs(bits, words, sum);
-    if (k >= 4) add_bytes(bits, words, sum);
-    if (k == 12) {
-        add_threes(sum, sums, m.noise_threes);
-        sum = m.noise_threes;
+    if (k == 4) {
+        scale_words(bits, 1, 0, sums, scale, noise);
+        return;
     }
-    std::int16_t* noise = m.noise + 2 * x;
-    const std::int32_t amplitude = line.amplitude, mean = 255 * k;
-    for (int i = 0; i < sums; ++i) {
-        const std::uint32_t scaled =
-            static_cast<std::uint32_t>((2 * sum[i] - mean) * amplitude + (1 << 15));
-        noise[i] = static_cast<std::int16_t>(scaled >> 16);
-    }
+    k == 1 ? take_bytes(bits, words, m.noise_sums) : add_pairs(bits, words, m.noise_sums);
+    scale_sums(m.noise_sums, sums, scale, noise);
 }
 
 #endif

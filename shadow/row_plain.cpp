@@ -3,6 +3,7 @@
 #include "shadow/row_form.hpp"
 
 #include "fixed/dither.hpp"
+#include "shadow/lines.hpp"
 
 #include <algorithm>
 
@@ -213,6 +214,12 @@ RowCounts plain_row(const RowLine& line, RowMemory& memory) {
     transform_row(line, span, memory);
     if (line.uniforms > 0) add_dither(line, span, memory);
     return {visible, look_up_row(line, span, memory)};
+}
+
+void plain_drawn(const hw::Depth16* codes, std::size_t words, hw::Depth16 none,
+                 std::uint64_t* drawn) {
+    for (std::size_t w = 0; w < words; ++w)
+        drawn[w] = drawn_of_64(std::span<const hw::Depth16>(codes + 64 * w, 64), none);
 }
 
 }  // namespace umbra78::shadow

@@ -21,6 +21,14 @@ UMBRA78_LANES Word up16(Word v) { return (Word)_mm_slli_epi32(raw(v), 16); }
 UMBRA78_LANES Word sum_of_products(Word a, Word b) {
     return (Word)_mm_madd_epi16(raw(a), raw(b));
 }
+UMBRA78_LANES Word add_bytes(Word to, Word v) {  // four of each lane, without signs
+    const Word two = (v & 0x00ff00ff) + (Word)_mm_srli_epi16(raw(v), 8);
+    return to + (Word)_mm_madd_epi16(raw(two), _mm_set1_epi16(1));
+}
+UMBRA78_LANES void store_high_halves(std::int16_t* at, Word v) {
+    const __m128i high = _mm_srai_epi32(raw(v), 16);
+    _mm_storel_epi64((__m128i*)at, _mm_packs_epi32(high, high));
+}
 UMBRA78_LANES Word add_products(Word to, Word a, Word b) { return to + sum_of_products(a, b); }
 UMBRA78_LANES Word product(Word a, Word b) { return a * b; }
 UMBRA78_LANES Word low_half(Word v) { return v & 0xffff; }
@@ -64,6 +72,16 @@ UMBRA78_LANES bool read_codes(const hw::Depth16* at, const CodeRule& rule, Codes
         backgrounds &= _mm_movemask_epi8(none);
     }
     return backgrounds != 0xffff;
+}
+UMBRA78_LANES std::uint64_t drawn_of_64(const hw::Depth16* at, hw::Depth16 background) {
+    const __m128i none = _mm_set1_epi16((short)background), *codes = (const __m128i*)at;
+    std::uint64_t backgrounds = 0;
+    for (int i = 0; i < 4; ++i) {
+        const __m128i a = _mm_cmpeq_epi16(_mm_loadu_si128(codes + 2 * i), none);
+        const __m128i b = _mm_cmpeq_epi16(_mm_loadu_si128(codes + 2 * i + 1), none);
+        backgrounds |= (std::uint64_t)_mm_movemask_epi8(_mm_packs_epi16(a, b)) << 16 * i;
+    }
+    return ~backgrounds;
 }
 UMBRA78_LANES __m128i pair(const hw::Depth16* texels, std::uint32_t at) {
     std::int32_t two;

@@ -1,8 +1,12 @@
 // The clocked post-process's stages, and its schedule from one scan of the observer's Z: what lets
 // a frame's cycles be known without ticking it.
 #include "shadow/clocked/post_process_impl.hpp"
+#include "shadow/lines.hpp"
+#include "shadow/row_form.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace umbra78::shadow {
 
@@ -22,61 +26,75 @@ PostProcessPipeline::PostProcessPipeline(const TimedTest& s, const hw::MatrixWor
 
 namespace {
 
-// A chunk of the scan: how many pixels are visible, and how often that changes from one to the
-// next. In 16-bit words, which the compiler has lanes for.
-struct Chunk {
-    std::uint16_t visible = 0, changes = 0;
-};
+// Of words of 64 codes, which of them are visible: by lanes where there are some.
 template <class Depth>
-Chunk look(std::span<const Depth> piece, Depth none) {
-    Chunk c;
-    for (const Depth code : piece)
-        c.visible = static_cast<std::uint16_t>(c.visible + (code != none));
-    if (c.visible == 0 || c.visible == piece.size()) return c;
-    for (std::size_t k = 1; k < piece.size(); ++k)
-        c.changes = static_cast<std::uint16_t>(
-            c.changes + ((piece[k] != none) != (piece[k - 1] != none)));
-    return c;
+void find_drawn(std::span<const Depth> depth, Depth none, std::span<std::uint64_t> drawn) {
+    if constexpr (hw::built(hw::Feature::rows) && sizeof(Depth) == sizeof(hw::Depth16)) {
+        fastest_row_form().find_drawn(depth.data(), drawn.size(), none, drawn.data());
+    } else {
+        for (std::size_t w = 0; w < drawn.size(); ++w)
+            drawn[w] = drawn_of_64<Depth>(depth.subspan(64 * w, 64), none);
+    }
 }
+
+// Reads the scan's pixels by runs.
+class ScheduleRuns {
+public:
+    ScheduleRuns(int read_cycles, int slot_cycles)
+        : read_(static_cast<std::uint64_t>(read_cycles)),
+          slot_(std::max(static_cast<std::uint64_t>(slot_cycles), read_)) {}
+
+    void skip(int run) { gap_ += static_cast<std::uint64_t>(run); }
+    void let_go(int run) {
+        const std::uint64_t reading = read_ * (gap_ + 1);
+        s_.last_issue += s_.visible == 0 ? reading - 1 : std::max(slot_, reading);
+        s_.last_issue += slot_ * static_cast<std::uint64_t>(run - 1);
+        s_.visible += static_cast<std::uint64_t>(run);
+        gap_ = 0;
+    }
+    // Of `count` pixels, which of them are visible.
+    void read(std::uint64_t drawn, int count) {
+        for (int at = 0; at < count;) {
+            const std::uint64_t rest = drawn >> at;
+            const int none = std::min(std::countr_zero(rest), count - at);
+            skip(none);
+            at += none;
+            if (at == count) return;
+            const int run = std::countr_one(drawn >> at);
+            let_go(run);
+            at += run;
+        }
+    }
+    Schedule result() {
+        s_.trailing = read_ * gap_;
+        return s_;
+    }
+
+private:
+    std::uint64_t read_, slot_, gap_ = 0;  // background pixels after the one let go last
+    Schedule s_;
+};
 
 }  // namespace
 
-// A chunk that holds one run of visible or background pixels, or two, is counted as a whole; any
-// other chunk is counted pixel by pixel.
 template <class Depth>
 Schedule schedule(std::span<const Depth> depth, std::uint32_t background, int read_cycles,
                   int slot_cycles) {
     fixed::require(read_cycles > 0 && slot_cycles > 0,
                    "schedule: a pixel takes a cycle or more");
-    Schedule s;
-    s.pixels = depth.size();
-    const auto p = static_cast<std::uint64_t>(read_cycles);
-    const std::uint64_t slot = std::max(static_cast<std::uint64_t>(slot_cycles), p);
     const auto none = static_cast<Depth>(background);
-    std::uint64_t gap = 0;  // background pixels after the one let go last
-    const auto let_go = [&](std::uint64_t run) {
-        if (run == 0) return;
-        const std::uint64_t reading = p * (gap + 1);
-        s.last_issue += s.visible == 0 ? reading - 1 : std::max(slot, reading);
-        s.last_issue += slot * (run - 1);
-        s.visible += run;
-        gap = 0;
-    };
-    constexpr std::size_t size = 64;
-    for (std::size_t k = 0; k < depth.size(); k += size) {
-        const std::span piece = depth.subspan(k, std::min(size, depth.size() - k));
-        const Chunk c = look<Depth>(piece, none);
-        if (c.changes > 1) {
-            for (const Depth code : piece) code != none ? let_go(1) : void(++gap);
-        } else if (piece[0] != none) {
-            let_go(c.visible);
-            gap += piece.size() - c.visible;
-        } else {
-            gap += piece.size() - c.visible;
-            let_go(c.visible);
-        }
+    ScheduleRuns runs(read_cycles, slot_cycles);
+    std::array<std::uint64_t, 64> drawn;
+    const std::size_t whole = depth.size() / 64;
+    for (std::size_t k = 0; k < whole; k += drawn.size()) {
+        const std::span words = std::span(drawn).first(std::min(drawn.size(), whole - k));
+        find_drawn<Depth>(depth.subspan(64 * k), none, words);
+        for (const std::uint64_t word : words) runs.read(word, 64);
     }
-    s.trailing = p * gap;
+    const std::span last = depth.subspan(64 * whole);
+    runs.read(drawn_of_64<Depth>(last, none), static_cast<int>(last.size()));
+    Schedule s = runs.result();
+    s.pixels = depth.size();
     return s;
 }
 

@@ -222,6 +222,28 @@ TEST(PostProcessRows, TakeAFormThatTheProcessorHas) {
                  "has not the row form's lanes");
 }
 
+// Which of 64 codes are visible, by every form: words of one code each but for one, and any codes.
+TEST(PostProcessRows, FindWhatIsDrawn) {
+    Random random;
+    constexpr std::size_t words = 3;
+    for (int round = 0; round < 400; ++round) {
+        const auto none = static_cast<hw::Depth16>(random.bits());
+        std::vector<hw::Depth16> codes(64 * words, round % 2 == 0 ? none : hw::Depth16{7});
+        for (std::uint64_t k = random.bits() % 4; k > 0; --k)
+            codes[random.bits() % codes.size()] = static_cast<hw::Depth16>(random.bits());
+        if (round % 4 == 3)
+            for (hw::Depth16& code : codes)
+                code = static_cast<hw::Depth16>(none + (random.bits() % 3 == 0 ? 1 : 0));
+        for (const RowForm& form : row_forms()) {
+            if (!form.supported()) continue;
+            std::array<std::uint64_t, words> drawn{};
+            form.find_drawn(codes.data(), words, none, drawn.data());
+            for (std::size_t k = 0; k < codes.size(); ++k)
+                ASSERT_EQ(drawn[k / 64] >> (k % 64) & 1, codes[k] != none) << form.name << k;
+        }
+    }
+}
+
 // The light map ends where no memory follows, or begins where none is before it: a read beyond it
 // ends the test. Every texel is looked up, the first and the last among them.
 TEST(PostProcessRows, ReadNothingBesideTheMap) {
