@@ -1,5 +1,5 @@
-// The four functions that a compiler calls of itself, where there is no C library; and strlen, which
-// a string_view of a name calls where the compiler does not count the letters itself (g++ -Os).
+// The four functions that a compiler calls of itself, where there is no C library; and strlen,
+// which a string_view of a name calls where the compiler does not count the letters (g++ -Os).
 #include <cstddef>
 #include <cstdint>
 
