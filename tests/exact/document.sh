@@ -54,7 +54,7 @@ TEXT
   if [ -s "$work/rooms" ]; then
     printf '\n## Room tests\n\nThe tests of `fixed` and `hw`, but for those of traps.\n\n'
     printf '| target | room | tests passed | seconds | |\n|---|---|---|---|---|\n'
-    sed 's/^/| /; s/|/ | /g; s/$/ |/; s/  */ /g' "$work/rooms"
+    sed 's/|/ | /g; s/^/| /; s/$/ |/; s/  */ /g' "$work/rooms"
   fi
   if [ -s "$work/faults.md" ]; then
     printf '\n## Planted faults\n\n'

@@ -88,6 +88,7 @@ while IFS= read -r by; do
 done < <(cut -f3 "$scratch/list" | sort -u)
 wait
 {
+  printf 'Planted at commit %s.\n\n' "$(git rev-parse --short HEAD 2>/dev/null || echo unknown)"
   echo "| planted | in | caught by | which says |"
   echo "|---|---|---|---|"
   cat "$scratch"/row-*

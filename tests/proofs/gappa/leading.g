@@ -1,5 +1,5 @@
 # stage: leading
-# what: shadow/rivals/light_lines, sign_by_leading: a determinant of the leading bits of nine numbers
+# what: shadow/rivals/light_lines, sign_by_leading: a determinant of nine numbers' leading bits
 # unit: 1, of 2^(3 s)
 # why: nine minors are not all twice the greatest square at once; of numbers +-2^20 six can be
 # bound: {6 * (3 * 2 ** facts["leading_bits"] * (2 ** facts["leading_bits"] + 1) + 1)}
