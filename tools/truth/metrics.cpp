@@ -69,10 +69,10 @@ int isolated_pixels(const MachineMask& mask, int size) {
     }
     int isolated = 0;
     for (std::size_t y = 0; y < n; ++y) {
-        const std::uint8_t* row = framed.data() + (y + 1) * stride + 1;
-        const std::uint8_t *above = row - stride, *below = row + stride;
+        const std::uint8_t* row = framed.data() + (y + 1) * stride;  // from the frame's column
+        const std::uint8_t *above = row - stride + 1, *below = row + stride + 1;
         for (std::size_t x = 0; x < n; ++x) {
-            const int k = row[x], left = row[x - 1], right = row[x + 1];
+            const int left = row[x], k = row[x + 1], right = row[x + 2];
             const int up = above[x], down = below[x];
             const bool alike = (left == k) | (right == k) | (up == k) | (down == k);
             isolated += ((k != none) & ((left | right | up | down) != none) & !alike) ? 1 : 0;
