@@ -81,8 +81,9 @@ TEST(AreaTruth, IsEmbreesToo) {
 
 // The machine's darkness comes nearer to truth with more points, and its penumbra as large.
 TEST(AreaTruth, MorePointsComeNearerToIt) {
+    if (umbra78::test::sanitized) GTEST_SKIP() << "numbers, whose parts the other tests go through";
     double before = 1;
-    for (int samples = 2; samples <= (umbra78::test::sanitized ? 4 : 8); samples *= 2) {
+    for (const int samples : {2, 4, 8}) {
         const LoadedScene scene = parse_scene(half_plane_scene(samples), "a.toml", {});
         const auto known = trace(scene);
         ASSERT_TRUE(known);
