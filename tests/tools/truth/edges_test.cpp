@@ -1,5 +1,6 @@
 // The bands about the shadow's edges, and how far two edges are apart, where the answer is known.
 #include "tests/tools/truth/half_lit.hpp"
+#include "tests/tools/truth/images.hpp"
 #include "tools/truth/edge_bands.hpp"
 #include "tools/truth/edge_distance.hpp"
 
@@ -8,16 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
-#include <random>
 
 namespace umbra78::tools {
 namespace {
 
 using test::Bytes, test::half_lit, test::shadow_from, test::total;
-
-constexpr double pi = std::numbers::pi;
-constexpr unsigned seed = 1978;
+using test::pi, test::seed;
 
 // Light from above onto the floor, seen from above: texel and pixel map to one another.
 TEST(LightTexelBand, OfACastShadowIsOneTexelWide) {

@@ -3,6 +3,7 @@
 #include "tools/truth/metrics.hpp"
 
 #include "tests/tools/truth/half_lit.hpp"
+#include "tests/tools/truth/images.hpp"
 #include "tools/truth/edge_bands.hpp"
 #include "tools/truth/spectrum.hpp"
 
@@ -10,31 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
-#include <random>
 #include <stdexcept>
 
 namespace umbra78::tools {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr unsigned seed = 1978;
-
-using Image = std::vector<double>;
+using test::Image, test::image, test::pi, test::seed, test::Uniform;
 using test::Bytes, test::half_lit, test::shadow_from, test::total;
-
-struct Uniform {
-    std::mt19937 bits{seed};
-    double operator()() { return static_cast<double>(bits()) / 4294967296.0; }  // 0 .. 1
-};
-
-Image image(int size, const std::function<double(int, int)>& value) {
-    Image made;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) made.push_back(value(x, y));
-    return made;
-}
 
 LocalFlatness flatness(const Image& error, int size) {
     return median_local_flatness(error, size, Bytes(error.size(), 1));

@@ -1,31 +1,17 @@
 // Fisher's g, radial power, anisotropy and the peak's place, on inputs whose answer is known.
 #include "tools/truth/spectrum_shape.hpp"
 
+#include "tests/tools/truth/images.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <numbers>
-#include <random>
 #include <stdexcept>
 
 namespace umbra78::tools {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-using Image = std::vector<double>;
-
-Image image(int size, const std::function<double(int, int)>& value) {
-    Image made;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) made.push_back(value(x, y));
-    return made;
-}
-
-struct Uniform {
-    std::mt19937 bits{1978};  // the seed
-    double operator()() { return (static_cast<double>(bits()) + 0.5) / 4294967296.0; }
-};
+using test::Image, test::image, test::pi, test::Uniform;
 
 Image white(int size, Uniform& uniform) {
     return image(size, [&](int, int) { return uniform() < 0.5; });

@@ -3,6 +3,8 @@
 // it is.
 #include "tools/truth/truth.hpp"
 
+#include "tests/tools/truth/half_lit.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,9 +34,7 @@ TruthPlane floor_at(double y, double half) {
     return {{-half, y, -half}, {2 * half, 0, 0}, {0, 0, 2 * half}};
 }
 
-int total(const std::vector<std::uint8_t>& image) {
-    return static_cast<int>(std::count(image.begin(), image.end(), 1));
-}
+using test::total;
 
 TEST(Truth, ASpheresTerminatorIsAtRightAnglesToTheLight) {
     const int size = 512;
