@@ -1,7 +1,9 @@
-// Edge dequantizing as a stream: boundary tracer, cascade of averages, and area by sub-rows.
+// Edge dequantizing: the boundary's tracer, and what its area makes of a line. What becomes of the
+// traced nodes is in edge_nodes.hpp.
 #include "shadow/filters/dequantize.hpp"
 
 #include "fixed/rounding.hpp"
+#include "shadow/filters/edge_nodes.hpp"
 #include "shadow/filters/filter_check.hpp"
 
 #include <algorithm>
@@ -10,60 +12,24 @@
 namespace umbra78::shadow {
 namespace {
 
-// Nodes are carried in 2^-12 pixel: two bits for each of six passes.
-constexpr int node_fraction = 2 * max_dequantize_passes;
-constexpr int sub_rows = 16;
-constexpr std::int32_t sub_row = (1 << node_fraction) / sub_rows;
-
-struct Node {
-    std::int32_t x, y;
-    bool pinned;
-};
-
-// A cascade of 1-2-1 averages: a node goes in, the node `passes` steps before it comes out.
-class Smoother {
-public:
-    explicit Smoother(int passes) : passes_(passes) {}
-
-    Node operator()(Node n) {
-        for (int p = 0; p < passes_; ++p) {
-            Stage& s = stage_[static_cast<std::size_t>(p)];
-            const Node a = s.older, b = s.newer;
-            s.older = b;
-            s.newer = n;
-            n = b.pinned ? b : Node{mean(a.x, b.x, n.x), mean(a.y, b.y, n.y), false};
+// Where a chain goes on that comes to a corner in a direction, 0 east, 1 south, 2 west, 3 north: by
+// the direction, and by which of the corner's pixels are in shadow. The shadow stays on the right;
+// where two shadows touch at the corner alone, it stays with the same pixel.
+constexpr std::array<std::array<std::uint8_t, 16>, 4> turns = [] {
+    // North-west, north-east, south-west, south-east: the bit of the pixel ahead on either hand.
+    constexpr std::array<unsigned, 4> right{8, 4, 1, 2}, left{2, 8, 4, 1};
+    std::array<std::array<std::uint8_t, 16>, 4> all{};
+    for (unsigned direction = 0; direction < 4; ++direction)
+        for (unsigned shadows = 0; shadows < 16; ++shadows) {
+            unsigned next = direction;
+            if ((shadows & right[direction]) == 0)
+                next = direction + 1;  // round the pixel on the right
+            else if ((shadows & left[direction]) != 0)
+                next = direction + 3;
+            all[direction][shadows] = static_cast<std::uint8_t>(next & 3);
         }
-        return n;
-    }
-
-private:
-    struct Stage {
-        Node older{}, newer{};
-    };
-    // Exact: a pass-p node has 2 p fraction bits of the 12.
-    static std::int32_t mean(std::int32_t a, std::int32_t b, std::int32_t c) {
-        return fixed::floor_shift(a + 2 * b + c, 2);
-    }
-    int passes_;
-    std::array<Stage, max_dequantize_passes> stage_{};
-};
-
-// floor(v / divisor) of a v that grows by the same step from sub-row to sub-row. divisor > 0.
-struct Crossing {
-    std::int64_t value, rest, step, step_rest, divisor;
-
-    Crossing(std::int64_t v, std::int64_t grows, std::int64_t by)
-        : value(fixed::round_divide(v, by, fixed::Rounding::floor)), rest(v - value * by),
-          step(fixed::round_divide(grows, by, fixed::Rounding::floor)),
-          step_rest(grows - step * by), divisor(by) {}
-    void next() {
-        value += step;
-        rest += step_rest;
-        if (rest < divisor) return;
-        rest -= divisor;
-        ++value;
-    }
-};
+    return all;
+}();
 
 template <class Depth>
 class Tracer {
@@ -86,9 +52,18 @@ public:
 
     std::uint64_t trace_all() {
         std::uint64_t steps = 0;
-        for (int y = 0; y < size_; ++y)
-            for (int x = 0; lines_.has(y) && x < size_; x += 8)
-                if (may_have_upper_edge(x, y)) steps += trace_from(x, y);
+        for (int y = 0; y < size_; ++y) {
+            if (!lines_.has(y)) continue;
+            const std::uint8_t* line = mask_.data() + at(0, y);
+            const std::uint8_t* above = y > 0 ? line - size_ : line;
+            const std::uint64_t lit = y > 0 ? 0 : ~std::uint64_t{0};  // above the frame
+            const int block = std::min(size_, 64);
+            for (int first = 0; first < size_; first += block) {
+                if (!has_upper_edge(line + first, above + first, lit, block)) continue;
+                for (int x = first; x < first + block; x += 8)
+                    if (has_upper_edge(line + x, above + x, lit, 8)) steps += trace_from(x, y);
+            }
+        }
         return steps;
     }
 
@@ -97,12 +72,18 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) +
                static_cast<std::size_t>(x);
     }
-    // Whether one of eight pixels is in shadow under a lit one: a shadow is the byte's highest bit.
-    bool may_have_upper_edge(int x, int y) const {
-        std::uint64_t here = 0, above = 0;
-        __builtin_memcpy(&here, mask_.data() + at(x, y), sizeof here);
-        if (y > 0) __builtin_memcpy(&above, mask_.data() + at(x, y - 1), sizeof above);
-        return (here & ~above & 0x8080808080808080) != 0;
+    // Whether one of `count` pixels, a multiple of eight, is in shadow under a lit one: a shadow is
+    // the byte's highest bit.
+    static bool has_upper_edge(const std::uint8_t* line, const std::uint8_t* above,
+                               std::uint64_t lit, int count) {
+        std::uint64_t any = 0;
+        for (int x = 0; x < count; x += 8) {
+            std::uint64_t here = 0, upper = 0;
+            __builtin_memcpy(&here, line + x, sizeof here);
+            __builtin_memcpy(&upper, above + x, sizeof upper);
+            any |= here & (~upper | lit);
+        }
+        return (any & 0x8080808080808080) != 0;
     }
     std::uint64_t trace_from(int first, int y) {
         std::uint64_t steps = 0;
@@ -120,78 +101,52 @@ private:
     }
     void visit(int x, int y) { memory_.visited[at(x, y) / 32] |= 1u << (at(x, y) % 32); }
 
-    Node node(int x, int y) const {
-        const bool pinned = background(x - 1, y - 1) || background(x, y - 1) ||
-                            background(x - 1, y) || background(x, y);
-        return {x << node_fraction, y << node_fraction, pinned};
-    }
-
-    struct Step {
-        int x, y, direction;  // at corner (x, y), about to go 0 east, 1 south, 2 west, 3 north
+    // The four pixels that meet at a corner: which are in shadow, a bit each in the order north-west,
+    // north-east, south-west, south-east, and whether one is background.
+    struct Corner {
+        unsigned shadows;
+        bool pinned;
     };
-
-    // The pixels ahead on either hand of a step that starts at corner (x, y).
-    bool ahead(const Step& s, bool right) const {
-        constexpr std::array<std::array<int, 2>, 4> right_px{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
-        constexpr std::array<std::array<int, 2>, 4> left_px{{{0, -1}, {0, 0}, {-1, 0}, {-1, -1}}};
-        const auto& d = (right ? right_px : left_px)[static_cast<std::size_t>(s.direction)];
-        return shadow(s.x + d[0], s.y + d[1]);
-    }
-
-    Step advance(Step s) {
-        constexpr std::array<int, 4> dx{1, 0, -1, 0}, dy{0, 1, 0, -1};
-        if (s.direction == 0) visit(s.x, s.y);
-        s.x += dx[static_cast<std::size_t>(s.direction)];
-        s.y += dy[static_cast<std::size_t>(s.direction)];
-        if (!ahead(s, true)) {
-            s.direction = (s.direction + 1) & 3;  // round the pixel on the right
-        } else if (ahead(s, false)) {
-            s.direction = (s.direction + 3) & 3;
+    // `place` is the corner's south-eastern pixel in the frame, if it is in it.
+    Corner corner(int x, int y, std::ptrdiff_t place) const {
+        if (x > 0 && y > 0 && x < size_ && y < size_) {
+            const std::uint8_t* m = mask_.data() + place;
+            const Depth* z = depth_.data() + place;
+            const auto bit = [](std::uint8_t value, int k) { return (value >> 7 & 1u) << k; };
+            return {bit(m[-size_ - 1], 0) | bit(m[-size_], 1) | bit(m[-1], 2) | bit(m[0], 3),
+                    ((z[-size_ - 1] == background_) | (z[-size_] == background_) |
+                     (z[-1] == background_) | (z[0] == background_)) != 0};
         }
-        return s;
+        return {(shadow(x - 1, y - 1) ? 1u : 0u) | (shadow(x, y - 1) ? 2u : 0u) |
+                    (shadow(x - 1, y) ? 4u : 0u) | (shadow(x, y) ? 8u : 0u),
+                background(x - 1, y - 1) || background(x, y - 1) || background(x - 1, y) ||
+                    background(x, y)};
     }
 
     // Follows one chain once round, and `passes` nodes more at either end to fill the smoother.
-    std::uint64_t trace(int x, int y) {
-        const Step start{x, y, 0};
-        Smoother smooth(passes_);
-        Step s = start;
-        std::int64_t length = -1, fed = 0;
-        Node last{};
-        while (length < 0 || fed <= length + 2 * passes_) {
-            const Node n = smooth(node(s.x, s.y));
-            if (fed > 2 * passes_) add_edge(last, n);
-            last = n;
+    std::uint64_t trace(const int first_x, const int first_y) {
+        constexpr std::array<int, 4> dx{1, 0, -1, 0}, dy{0, 1, 0, -1};
+        const std::array<std::ptrdiff_t, 4> next{1, size_, -1, -size_};
+        EdgeNodes nodes(passes_, memory_.coverage, size_);
+        int x = first_x, y = first_y;
+        auto place = static_cast<std::ptrdiff_t>(at(x, y));
+        unsigned direction = 0;
+        bool pinned = corner(x, y, place).pinned;
+        std::int64_t length = -1;
+        for (std::int64_t fed = 0; length < 0 || fed <= length + 2 * passes_;) {
+            nodes.add(x, y, pinned);
             ++fed;
-            s = advance(s);
-            if (length < 0 && s.x == start.x && s.y == start.y && s.direction == start.direction)
-                length = fed;
+            if (direction == 0) visit(x, y);
+            x += dx[direction];
+            y += dy[direction];
+            place += next[direction];
+            const Corner here = corner(x, y, place);
+            pinned = here.pinned;
+            direction = turns[direction][here.shadows];
+            if (length < 0 && x == first_x && y == first_y && direction == 0) length = fed;
         }
+        nodes.end();
         return static_cast<std::uint64_t>(length);
-    }
-
-    // Coverage to the right of an edge, for the sub-rows whose middle it crosses.
-    void add_edge(const Node& a, const Node& b) {
-        if (a.y == b.y) return;
-        const bool up = b.y < a.y;  // northward: the shadow begins to the right
-        const Node& top = up ? b : a;
-        const Node& end = up ? a : b;
-        const std::int32_t first = (top.y + sub_row / 2 - 1) / sub_row;
-        const std::int32_t last = (end.y + sub_row / 2 - 1) / sub_row;
-        if (first >= last) return;
-        const auto sign = static_cast<std::int16_t>(up ? 1 : -1);
-        const std::int64_t along = first * sub_row + sub_row / 2 - top.y;
-        Crossing crossing(along * (end.x - top.x), std::int64_t{sub_row} * (end.x - top.x),
-                          end.y - top.y);
-        for (std::int32_t r = first; r < last; ++r, crossing.next()) {
-            const std::int64_t x = top.x + crossing.value;
-            const std::int64_t step = (x + sub_row / 2) / sub_row;  // 1/16 pixel
-            const auto part = static_cast<std::int16_t>(step % sub_rows);
-            std::int16_t* cell = memory_.coverage.data() +
-                                 (r / sub_rows) * (size_ + 2) + step / sub_rows;
-            cell[0] = static_cast<std::int16_t>(cell[0] + sign * (sub_rows - part));
-            cell[1] = static_cast<std::int16_t>(cell[1] + sign * part);
-        }
     }
 
     std::span<const std::uint8_t> mask_;
@@ -203,31 +158,29 @@ private:
 };
 
 // A line's coverage, summed from the left, as darkness. Eight pixels whose coverage does not
-// change are of one darkness.
+// change are of one darkness. What is background is taken out in a loop of its own, which lanes do.
 template <class Depth>
-void fill_line(const std::int16_t* coverage, const Depth* depth, Depth background, int size,
-               std::uint8_t* out) {
+void fill_line(const std::int16_t* __restrict coverage, const Depth* __restrict depth,
+               Depth background, int size, std::uint8_t* __restrict out) {
     int area = 0;  // of 256
-    const auto darkness = [&] {
-        const int covered = std::clamp(area, 0, 256);
-        return static_cast<std::uint8_t>(fixed::floor_shift(covered * 255 + 128, 8));
-    };
-    const auto put = [&](int x, std::uint8_t dark) {
-        out[x] = static_cast<std::uint8_t>(depth[x] == background ? 0 : dark);
-    };
+    std::uint8_t dark = 0;
     for (int x = 0; x < size; x += 8) {
         std::uint64_t changes[2];
         __builtin_memcpy(changes, coverage + x, sizeof changes);
         if ((changes[0] | changes[1]) == 0) {
-            const std::uint8_t dark = darkness();
-            for (int k = 0; k < 8; ++k) put(x + k, dark);
+            const std::uint64_t all = dark * std::uint64_t{0x0101010101010101};
+            __builtin_memcpy(out + x, &all, sizeof all);
             continue;
         }
-        for (int k = 0; k < 8; ++k) {
-            area += coverage[x + k];
-            put(x + k, darkness());
+        for (int k = x; k < x + 8; ++k) {
+            area += coverage[k];
+            const int covered = std::clamp(area, 0, 256);
+            dark = static_cast<std::uint8_t>(fixed::floor_shift(covered * 255 + 128, 8));
+            out[k] = dark;
         }
     }
+    for (int x = 0; x < size; ++x)
+        out[x] = static_cast<std::uint8_t>(out[x] & (depth[x] == background ? 0 : 255));
 }
 
 }  // namespace

@@ -10,10 +10,12 @@ that is not installed is left out, with a line.
 import argparse
 import json
 import math
+import os
 import re
 import shutil
 import subprocess
 import sys
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -32,12 +34,28 @@ PROGRAMS = ["agree", "exhaustive", "forms", "errors"]
 failures = []
 facts = {}
 told = {}  # (file, claim) -> who proved it
+said = threading.local()  # the lines of the task that a thread is at
+
+
+def line(text):
+    said.lines.append(text)
 
 
 def say(name, ok, text):
-    print(f"{'proved' if ok else 'FAILED'}: {name}: {text}", flush=True)
+    line(f"{'proved' if ok else 'FAILED'}: {name}: {text}")
     if not ok:
         failures.append(name)
+
+
+def run_all(tasks):
+    """Several tasks at a time; their lines come in their order."""
+    def run(task):
+        said.lines = []
+        task()
+        return said.lines
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for lines in pool.map(run, tasks):
+            print("\n".join(lines), flush=True)
 
 
 def ask(solver, text):
@@ -104,33 +122,33 @@ def smt_file(path, facts, weakened):
         ok = bool(proved) and "sat" not in answers.values()
         told[(path.stem, title)] = proved
         say(f"{path.stem}: {title}", ok, " and ".join(proved) if ok else str(answers))
-    print(f"{path.stem}: {time.time() - since:.1f} s")
+    line(f"{path.stem}: {time.time() - since:.1f} s")
 
 
 # --- words.txt -----------------------------------------------------------------------------------
 
 
-def word_stages(facts, names, weakened):
-    stages = words.read((HERE / "words.txt").read_text(), facts)
+def word_stages(facts, names):
+    """The stages that are wanted, each with all its steps."""
     by_name = {}
-    for s in stages:
+    for s in words.read((HERE / "words.txt").read_text(), facts):
         if not names or s.name in names or "words" in names:
             by_name.setdefault(s.name, []).append(s)
-    for name, all_ in by_name.items():
-        if weakened:
-            weaken_words(name, all_)
-            continue
-        proved = []
-        text = "(set-logic ALL)\n" + "".join(
-            f"(push)\n{s.smt()}\n(check-sat)\n(pop)\n" for s in all_)
-        for solver, answers in ask_all(text).items():
-            if "sat" in answers:
-                proved = []
-                break
-            if answers == ["unsat"] * len(all_):
-                proved.append(solver)
-        told[("words", name)] = (proved, all_[0].what)
-        say(f"words: {name}", bool(proved), " and ".join(proved) or "a step leaves its word")
+    return by_name
+
+
+def word_stage(name, all_):
+    proved = []
+    text = "(set-logic ALL)\n" + "".join(
+        f"(push)\n{s.smt()}\n(check-sat)\n(pop)\n" for s in all_)
+    for solver, answers in ask_all(text).items():
+        if "sat" in answers:
+            proved = []
+            break
+        if answers == ["unsat"] * len(all_):
+            proved.append(solver)
+    told[("words", name)] = (proved, all_[0].what)
+    say(f"words: {name}", bool(proved), " and ".join(proved) or "a step leaves its word")
 
 
 def weaken_words(name, all_):
@@ -256,12 +274,12 @@ def program(name, path, bounds):
     since = time.time()
     done = subprocess.run([path, name], capture_output=True, text=True)
     errors = {}
-    for line in done.stdout.splitlines():
-        if line.startswith("error "):
-            parts = line.split(" ")
+    for each in done.stdout.splitlines():
+        if each.startswith("error "):
+            parts = each.split(" ")
             errors[parts[1]] = (float(parts[2]), parts[3] if len(parts) > 3 else "")
         else:
-            print("  " + line)
+            line("  " + each)
     ok = done.returncode == 0
     for stage, (worst, inputs) in errors.items():
         if stage not in bounds:
@@ -271,6 +289,12 @@ def program(name, path, bounds):
                 f"{bounds[stage]['bound']}")
     say(name, ok, f"{time.time() - since:.1f} s")
     return errors
+
+
+def weakened_program(name, path):
+    done = subprocess.run([path, name, "weakened"], capture_output=True, text=True)
+    say(name, done.returncode == 1, "with a planted fault it fails: " +
+        (done.stdout.splitlines() or ["nothing was said"])[0])
 
 
 def bounds_tighter(path):
@@ -316,27 +340,30 @@ def main():
     for s in [*SOLVERS, "gappa"]:
         if not shutil.which(s):
             print(f"left out: {s} is not installed; what it would prove is not asked of it")
-    bounds, errors = {}, {}
+    bounds, errors, tasks, found = {}, {}, [], []
+    # The longest first; `errors` compares with all bounds, so it comes after them.
+    for name in PROGRAMS[::-1]:
+        if wanted(name) and name != "errors":
+            tasks.append(lambda name=name: weakened_program(name, args.program) if args.weakened
+                         else program(name, args.program, {}))
     if present():
         for path in sorted((HERE / "smt").glob("*.smt2")):
             if wanted(path.stem):
-                smt_file(path, facts, args.weakened)
-        word_stages(facts, args.names, args.weakened)
+                tasks.append(lambda path=path: smt_file(path, facts, args.weakened))
+        for name, steps in word_stages(facts, args.names).items():
+            tasks.append(lambda name=name, steps=steps: weaken_words(name, steps) if args.weakened
+                         else word_stage(name, steps))
     if shutil.which("gappa"):
         for path in sorted((HERE / "gappa").glob("*.g")):
             if wanted(path.stem) or "errors" in args.names:
-                gappa_file(path, args.weakened, bounds)
-    for name in PROGRAMS:
-        if not wanted(name):
-            continue
-        if args.weakened and name == "errors":
-            bounds_tighter(args.program)
-        elif args.weakened:
-            done = subprocess.run([args.program, name, "weakened"], capture_output=True, text=True)
-            say(name, done.returncode == 1, "with a planted fault it fails: " +
-                (done.stdout.splitlines() or ["nothing was said"])[0])
-        else:
-            errors.update(program(name, args.program, bounds))
+                found.append({})
+                tasks.append(lambda path=path, into=found[-1]: gappa_file(path, args.weakened, into))
+    run_all(tasks)
+    for each in found:  # in the files' order
+        bounds.update(each)
+    if wanted("errors"):
+        run_all([lambda: bounds_tighter(args.program) if args.weakened
+                 else errors.update(program("errors", args.program, bounds))])
     if not args.weakened:
         remember(Path(args.facts).with_name("seen.json"), bounds, errors, args.table)
     if failures:

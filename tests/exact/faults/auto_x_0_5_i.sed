@@ -1,4 +1,4 @@
 # fault: auto x = 0.5 * i
-# in: shadow/filters/dequantize.cpp
+# in: shadow/filters/edge_nodes.hpp
 # by: guard literals
-s/(along = )first \* sub_row \+ sub_row \/ 2/\1static_cast<int>((first + 0.5) * sub_row)/
+s/(along = )row \* sub_row \+ sub_row \/ 2/\1static_cast<int>((row + 0.5) * sub_row)/

@@ -1,4 +1,4 @@
 # fault: __int128
-# in: shadow/filters/dequantize.cpp
+# in: shadow/filters/edge_nodes.hpp
 # by: target x86-32 g++ -O1: figures
-s/const std::int64_t along = /const __int128 along = /
+s/const int along = /const __int128 along = /

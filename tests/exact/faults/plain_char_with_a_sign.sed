@@ -1,4 +1,4 @@
 # fault: plain char with a sign
-# in: shadow/filters/dequantize.cpp
+# in: shadow/filters/edge_nodes.hpp
 # by: target s390x g++ -O1: figures
-s/static_cast<std::int16_t>\(up \? 1 : -1\)/static_cast<char>(up ? 1 : -1)/
+s/up \? crossed.sixteenths : -crossed.sixteenths/static_cast<char>(up ? 1 : -1) * crossed.sixteenths/
