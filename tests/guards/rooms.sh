@@ -35,16 +35,15 @@ done <"$scratch/declared"
 
 # Every folder with sources is a room, and its files include only what the room may.
 check_room() {
-  local folder=$1 file line included room
-  for file in $(find "$folder" -maxdepth 1 \( -name '*.hpp' -o -name '*.cpp' \) | sort); do
-    while IFS= read -r line; do
-      included=${line#*\"}
-      included=${included%%\"*}
-      room=$(dirname "$included")
-      [[ " ${may[$folder]} " == *" $room "* ]] ||
-        fail "$file:${line%%:*}: $folder/ must not include $included"
-    done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' "$file")
-  done
+  local folder=$1 file line included
+  while IFS= read -r line; do
+    file=${line%%:*}
+    included=${line#*\"}
+    included=${included%%\"*}
+    [[ " ${may[$folder]} " == *" ${included%/*} "* ]] ||
+      fail "${line%%:*#*}: $folder/ must not include $included"
+  done < <(find "$folder" -maxdepth 1 \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z |
+    xargs -0 grep -nHE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"')
 }
 for folder in $(find $rooms tools -name '*.?pp' -printf '%h\n' | sort -u); do
   case $folder in tools/benchmarks) continue ;; esac
@@ -56,21 +55,22 @@ for folder in $(find $rooms tools -name '*.?pp' -printf '%h\n' | sort -u); do
 done
 
 # The core includes only harmless standard headers and names nothing of the heap.
-for file in $headers $sources; do
-  while IFS= read -r line; do
-    included=${line#*<}
-    included=${included%%>*}
-    # The compiler's own names of a processor's lanes: no library comes with them.
-    [ "$file $included" = "shadow/row_forms.cpp immintrin.h" ] && continue
-    [[ " ${allowed_standard//$'\n'/ } " == *" $included "* ]] ||
-      fail "$file:${line%%:*}: the core must not include <$included>"
-  done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' "$file")
-  # `new (place)` only names where an object stands.
-  plain_text "$file" | sed -E 's/#include.*//; s/\bnew \(//g' >"$scratch/text"
-  while IFS= read -r line; do
-    fail "$file:${line%%:*}: not in the core: ${line#*:}"
-  done < <(grep -nE "$forbidden" "$scratch/text")
-done
+while IFS= read -r line; do
+  file=${line%%:*}
+  included=${line#*<}
+  included=${included%%>*}
+  # The compiler's own names of a processor's lanes: no library comes with them.
+  [ "$file $included" = "shadow/row_forms.cpp immintrin.h" ] && continue
+  [[ " ${allowed_standard//$'\n'/ } " == *" $included "* ]] ||
+    fail "${line%%:#*}: the core must not include <$included>"
+done < <(grep -nHE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' $headers $sources)
+# `new (place)` only names where an object stands.
+while IFS= read -r line; do
+  fail "not in the core: $line"
+done < <(awk '{
+    sub(/\/\/.*/, ""); gsub(/"[^"]*"/, ""); sub(/#include.*/, "")
+    gsub(/(^|[^A-Za-z0-9_])new \(/, " (")
+    print FILENAME ":" FNR ":" $0}' $headers $sources | grep -E "^[^:]*:[0-9]*:.*($forbidden)")
 
 # Tests mirror the rooms, but for those that belong to no single one.
 for folder in $(find tests -mindepth 2 -name '*.?pp' -printf '%h\n' | sort -u); do
@@ -81,11 +81,8 @@ for folder in $(find tests -mindepth 2 -name '*.?pp' -printf '%h\n' | sort -u); 
 done
 
 # Tests of a room of the core see the core, tests/ and nothing of tools/.
-for room in $rooms; do
-  for file in $(find "tests/$room" -name '*.?pp'); do
-    grep -nE '#include "tools/' "$file" && fail "$file: tests of the core must not need tools/"
-  done
-done
+find $(printf 'tests/%s ' $rooms) -name '*.?pp' -print0 | xargs -0 grep -nH '#include "tools/' &&
+  fail "tests of the core must not need tools/"
 
 # Source files, scripts without an ending among them; not the data.
 sources_in() {
@@ -94,13 +91,10 @@ sources_in() {
     -o ! -name '*.*' \) | sort
 }
 short() {
-  local limit=$1 file
-  shift
-  for file in "$@"; do
-    [ "$(wc -l <"$file")" -le "$limit" ] || fail "$file has more than $limit lines"
-    awk -v f="$file" 'length($0) > 100 {print f ":" FNR ": longer than 100 columns"; bad = 1}
-                      END {exit bad}' "$file" || fail "$file has long lines"
-  done
+  awk -v limit="$1" '
+    FNR == limit + 1 {print FILENAME ": has more than " limit " lines"; bad = 1}
+    length($0) > 100 {print FILENAME ":" FNR ": longer than 100 columns"; bad = 1}
+    END {exit bad}' "${@:2}" || fail "files or lines are too long"
 }
 short 350 $(sources_in $rooms tools .ci)
 short 450 $(sources_in tests)

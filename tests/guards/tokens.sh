@@ -35,18 +35,15 @@ struct Count {
 END
 
 # Operators have a blank or a line's end on each side; the second > of a template has none.
-rewrite() {
-  sed -E '/guard: the one signed shift/! s/(^| )>>( |$)/\1>> guard::Count{} +\2/g' "$1"
-}
-for file in $headers $sources; do
-  plain_text "$file" | grep -nE '>>=|[])A-Za-z0-9_]>>[A-Za-z0-9_]' &&
-    fail "$file: >>= and >> without blanks are not checked; write v = v >> n"
-  mkdir -p "$scratch/core/$(dirname "$file")"
-  rewrite "$file" >"$scratch/core/$file"
-done
-for file in $(find $rooms -name '*.h'); do # for C: without shifts
-  cp "$file" "$scratch/core/$file"
-done
+rewrite='/guard: the one signed shift/! s/(^| )>>( |$)/\1>> guard::Count{} +\2/g'
+awk '{
+    sub(/\/\/.*/, ""); gsub(/"[^"]*"/, "")
+    if (/>>=|[\])A-Za-z0-9_]>>[A-Za-z0-9_]/) { print FILENAME ":" FNR ":" $0; bad = 1 }}
+  END {exit bad}' $headers $sources ||
+  fail ">>= and >> without blanks are not checked; write v = v >> n"
+mkdir "$scratch/core"
+cp --parents $headers $sources $(find $rooms -name '*.h') "$scratch/core" # .h for C: no shifts
+(cd "$scratch/core" && sed -i -E "$rewrite" $headers $sources)
 [ "$(grep -ho 'guard: the one signed shift' $headers $sources | wc -l)" -eq 1 ] ||
   fail "one line of the core may shift a signed value"
 
@@ -67,7 +64,7 @@ done
 # And it finds one of each, in plain code and in a template, and lets an unsigned shift pass.
 control() {
   echo "$1" >"$scratch/control.txt"
-  rewrite "$scratch/control.txt" >"$scratch/control.cpp"
+  sed -E "$rewrite" "$scratch/control.txt" >"$scratch/control.cpp"
   compile "$scratch/control.cpp"
 }
 control 'inline double f() { return 0; }' && fail "the poison does nothing"

@@ -357,7 +357,8 @@ def main():
         for path in sorted((HERE / "gappa").glob("*.g")):
             if wanted(path.stem) or "errors" in args.names:
                 found.append({})
-                tasks.append(lambda path=path, into=found[-1]: gappa_file(path, args.weakened, into))
+                tasks.append(lambda path=path, into=found[-1]:
+                             gappa_file(path, args.weakened, into))
     run_all(tasks)
     for each in found:  # in the files' order
         bounds.update(each)
