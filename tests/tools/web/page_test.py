@@ -246,9 +246,9 @@ def never_blocks(p):
 
 def report_speed(p):
     """Not checked, for it is the computer's: the least that the worker takes for a frame."""
-    def least(prepare, change, rounds):
+    def least(prepare, change):
         times = []
-        for n in range(rounds):
+        for n in range(8):
             prepare(n)
             change(n)
             p.settle()
@@ -265,11 +265,11 @@ def report_speed(p):
 
     p.open()
     times = {
-        "the bias moved": least(nothing, lambda n: p.put("#set-bias", str(64 + n), "input"), 20),
-        "the light turned": least(nothing, arrow("light"), 30),
-        "the observer turned": least(nothing, arrow("observer"), 30),
+        "the bias moved": least(nothing, lambda n: p.put("#set-bias", str(64 + n), "input")),
+        "the light turned": least(nothing, arrow("light")),
+        "the observer turned": least(nothing, arrow("observer")),
         "all of it new": least(lambda n: p.put("#gallery", "teapot", "change"),
-                               lambda n: p.click("button[data-name='figure 3']"), 10),
+                               lambda n: p.click("button[data-name='figure 3']")),
     }
     for what, ms in times.items():
         print(f"a frame of the figures' scene, {what}: least {ms} ms")
