@@ -50,13 +50,24 @@ void expect_same(const PlannedFrame& one, const PlannedFrame& many) {
               list(frame_ledger(many.inputs, many.frame.buffers, b)));
 }
 
-void expect_same_from(const PlannedScene& planned, const Executor& executor, bool all_work) {
-    PlannedFrame one(planned), many(planned, false, executor);
-    const FramePlan plan = all_work ? FramePlan{} : make_plan(one.inputs);
-    one.draw(plan);
-    many.draw(plan);
-    expect_same(one, many);
-}
+// A frame that one worker draws, and what an executor's workers make of the same.
+class DrawnByOne {
+public:
+    DrawnByOne(const PlannedScene& planned, bool all_work) : planned_(planned), one_(planned) {
+        plan_ = all_work ? FramePlan{} : make_plan(one_.inputs);
+        one_.draw(plan_);
+    }
+    void expect_same_from(const Executor& executor) const {
+        PlannedFrame many(planned_, false, executor);
+        many.draw(plan_);
+        expect_same(one_, many);
+    }
+
+private:
+    const PlannedScene& planned_;
+    PlannedFrame one_;
+    FramePlan plan_;
+};
 
 TEST(Workers, AnyNumberDrawsTheSameFrame) {
     std::size_t parts = 0;
@@ -64,9 +75,10 @@ TEST(Workers, AnyNumberDrawsTheSameFrame) {
         SCOPED_TRACE(planned.name);
         if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
         for (const bool all_work : {false, true}) {
+            const DrawnByOne one(planned, all_work);
             Shuffled two(2), seven(7), sixty_four(max_workers);
             for (Shuffled* workers : {&seven, &two, &sixty_four}) {
-                expect_same_from(planned, workers->executor(), all_work);
+                one.expect_same_from(workers->executor());
                 parts += workers->parts();
                 if (umbra78::test::sanitized) break;
             }
@@ -77,15 +89,16 @@ TEST(Workers, AnyNumberDrawsTheSameFrame) {
 }
 
 TEST(Workers, ThreadsDrawTheSameFrame) {
-    for (const std::size_t workers : {3u, 1u, 7u}) {
-        Threads threads(workers);
-        for (PlannedScene& planned : test::planned_scenes()) {
-            SCOPED_TRACE(planned.name + ", " + std::to_string(workers));
-            if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
-            expect_same_from(planned, threads.executor(), false);
-            if (HasFailure()) return;
+    Threads three(3), one(1), seven(7);
+    for (PlannedScene& planned : test::planned_scenes()) {
+        SCOPED_TRACE(planned.name);
+        if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
+        const DrawnByOne frame(planned, false);
+        for (Threads* threads : {&three, &one, &seven}) {
+            frame.expect_same_from(threads->executor());
+            if (HasFailure() || umbra78::test::sanitized) break;
         }
-        if (umbra78::test::sanitized) return;
+        if (HasFailure()) return;
     }
 }
 
