@@ -110,7 +110,51 @@ TEST(Methods, ARowIsConsistent) {
 }
 
 // The plan decides by the row, and the mask holds what the row says it holds.
-TEST(Methods, PlanAndStagesAskTheRow) {
+void expect_plan_and_stages_of_row(const Method& m, const PlannedFrame& f, const FramePlan& plan) {
+    EXPECT_EQ(plan.at(Omission::composite).reason,
+              m.in_shading ? Reason::shadow_in_shading : Reason::asked_for);
+    EXPECT_EQ(plan.at(Omission::background_pixels).reason,
+              m.on_ground()          ? Reason::shadow_drawn
+              : !m.has_map()         ? Reason::no_map_kept
+              : m.tests_when_drawn() ? Reason::tested_when_drawn
+                                     : Reason::nothing_there);
+    std::uint64_t dark = 0, between = 0;
+    for (const std::uint8_t darkness : f.frame.buffers.lights[0].mask) {
+        dark += darkness != mask_lit;
+        between += darkness != mask_lit && darkness != mask_shadow;
+        EXPECT_TRUE(m.darkness == Darkness::graded || darkness == mask_lit ||
+                    darkness == mask_shadow);
+    }
+    EXPECT_GT(dark, 100u);
+    EXPECT_EQ(between > 0, m.darkness == Darkness::graded);
+    EXPECT_EQ(plan.at(Omission::dequantize).reason,
+              m.darkness == Darkness::graded ? Reason::graded : Reason::asked_for);
+    EXPECT_EQ(dark, f.frame.counts.lights[0].post_process.shadowed);
+    EXPECT_TRUE(f.frame.counts.lights[0].capacity.enough);
+}
+
+void expect_ledger_and_costs_of_row(const Method& m, const PlannedFrame& f, const FramePlan& plan) {
+    const FrameLedger l = ledger_of_method(f);
+    EXPECT_EQ(l.on_array, m.arithmetic == Arithmetic::ap120b);
+    EXPECT_EQ(l.has_map, m.has_map());
+    EXPECT_EQ(l.post_process.count > 0, m.arithmetic == Arithmetic::fixed && m.has_map());
+    EXPECT_GT(l.transformation(true), l.visible);
+    EXPECT_FALSE(l.bottleneck().empty());
+    const hw::Operations o{1000, 100, 400, 10, 220, 50};
+    const hw::UnitCycles units = m.units(o, f.inputs.settings);
+    EXPECT_EQ(units.multipliers, 100u);
+    EXPECT_EQ(units.divider, m.arithmetic == Arithmetic::ap120b ? 230u : 220u);
+    EXPECT_EQ(l.scene.units.one_after_the_other() > 0, m.surfaces == Surfaces::facets);
+    if (m.plan_cost == nullptr) return;
+    const DrawnFrame drawn{f.inputs, l};
+    const std::uint64_t tested = !m.has_map()           ? 0
+                                 : m.tests_when_drawn() ? l.observer_counts.samples
+                                                        : l.visible;
+    EXPECT_EQ(cycles_of(plan, drawn)[2].transform, 3 * tested);
+    EXPECT_EQ(saving(Omission::divide, plan, drawn).after_drawing, m.tests_when_drawn());
+}
+
+TEST(Methods, PlanStagesLedgerAndCostsAskTheRow) {
     for (const Method& m : methods()) {
         SCOPED_TRACE(m.name);
         PlannedScene planned = scene_of(m);
@@ -118,56 +162,9 @@ TEST(Methods, PlanAndStagesAskTheRow) {
         PlannedFrame f(planned);
         EXPECT_EQ(&method_of(f.inputs), &m);
         const FramePlan plan = make_plan(f.inputs);
-        EXPECT_EQ(plan.at(Omission::composite).reason,
-                  m.in_shading ? Reason::shadow_in_shading : Reason::asked_for);
-        EXPECT_EQ(plan.at(Omission::background_pixels).reason,
-                  m.on_ground()           ? Reason::shadow_drawn
-                  : !m.has_map()          ? Reason::no_map_kept
-                  : m.tests_when_drawn() ? Reason::tested_when_drawn
-                                         : Reason::nothing_there);
         f.draw(plan);
-        std::uint64_t dark = 0, between = 0;
-        for (const std::uint8_t darkness : f.frame.buffers.lights[0].mask) {
-            dark += darkness != mask_lit;
-            between += darkness != mask_lit && darkness != mask_shadow;
-            EXPECT_TRUE(m.darkness == Darkness::graded || darkness == mask_lit ||
-                        darkness == mask_shadow);
-        }
-        EXPECT_GT(dark, 100u);
-        EXPECT_EQ(between > 0, m.darkness == Darkness::graded);
-        EXPECT_EQ(plan.at(Omission::dequantize).reason,
-                  m.darkness == Darkness::graded ? Reason::graded : Reason::asked_for);
-        EXPECT_EQ(dark, f.frame.counts.lights[0].post_process.shadowed);
-        EXPECT_TRUE(f.frame.counts.lights[0].capacity.enough);
-    }
-}
-
-TEST(Methods, LedgerAndCostsAskTheRow) {
-    for (const Method& m : methods()) {
-        SCOPED_TRACE(m.name);
-        PlannedScene planned = scene_of(m);
-        planned.settings.machine.xy_bits = 6;
-        PlannedFrame f(planned);
-        const FramePlan plan = make_plan(f.inputs);
-        f.draw(plan);
-        const FrameLedger l = ledger_of_method(f);
-        EXPECT_EQ(l.on_array, m.arithmetic == Arithmetic::ap120b);
-        EXPECT_EQ(l.has_map, m.has_map());
-        EXPECT_EQ(l.post_process.count > 0, m.arithmetic == Arithmetic::fixed && m.has_map());
-        EXPECT_GT(l.transformation(true), l.visible);
-        EXPECT_FALSE(l.bottleneck().empty());
-        const hw::Operations o{1000, 100, 400, 10, 220, 50};
-        const hw::UnitCycles units = m.units(o, f.inputs.settings);
-        EXPECT_EQ(units.multipliers, m.arithmetic == Arithmetic::ap120b ? 100u : 100u);
-        EXPECT_EQ(units.divider, m.arithmetic == Arithmetic::ap120b ? 230u : 220u);
-        EXPECT_EQ(l.scene.units.one_after_the_other() > 0, m.surfaces == Surfaces::facets);
-        if (m.plan_cost == nullptr) continue;
-        const DrawnFrame drawn{f.inputs, l};
-        const std::uint64_t tested = !m.has_map()           ? 0
-                                     : m.tests_when_drawn() ? l.observer_counts.samples
-                                                            : l.visible;
-        EXPECT_EQ(cycles_of(plan, drawn)[2].transform, 3 * tested);
-        EXPECT_EQ(saving(Omission::divide, plan, drawn).after_drawing, m.tests_when_drawn());
+        expect_plan_and_stages_of_row(m, f, plan);
+        expect_ledger_and_costs_of_row(m, f, plan);
     }
 }
 

@@ -56,7 +56,7 @@ TEST(FramePlan, LeavingOutChangesNoBit) {
                             umbra78::test::Constant::expected);  // some views are empty
         for (std::size_t k = 0; k < first_standing; ++k) {
             if (!plan.leaves_out(static_cast<Omission>(k))) continue;
-            seen.insert(k);
+            if (!seen.insert(k).second && umbra78::test::sanitized) continue;  // once is enough
             for (const FramePlan& variant : {only(plan, k), put_back(plan, k)}) {
                 PlannedFrame other(planned);
                 other.draw(variant);

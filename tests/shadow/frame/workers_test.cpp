@@ -75,6 +75,7 @@ TEST(Workers, AnyNumberDrawsTheSameFrame) {
         SCOPED_TRACE(planned.name);
         if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
         for (const bool all_work : {false, true}) {
+            if (umbra78::test::sanitized && all_work) break;
             const DrawnByOne one(planned, all_work);
             Shuffled two(2), seven(7), sixty_four(max_workers);
             for (Shuffled* workers : {&seven, &two, &sixty_four}) {
@@ -85,18 +86,18 @@ TEST(Workers, AnyNumberDrawsTheSameFrame) {
         }
         if (HasFailure()) return;
     }
-    EXPECT_GT(parts, umbra78::test::sanitized ? 1000u : 10000u) << "the work is shared";
+    EXPECT_GT(parts, umbra78::test::sanitized ? 500u : 10000u) << "the work is shared";
 }
 
 TEST(Workers, ThreadsDrawTheSameFrame) {
+    if (umbra78::test::sanitized) GTEST_SKIP() << "guard_threads has ThreadSanitizer";
     Threads three(3), one(1), seven(7);
     for (PlannedScene& planned : test::planned_scenes()) {
         SCOPED_TRACE(planned.name);
-        if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
         const DrawnByOne frame(planned, false);
         for (Threads* threads : {&three, &one, &seven}) {
             frame.expect_same_from(threads->executor());
-            if (HasFailure() || umbra78::test::sanitized) break;
+            if (HasFailure()) break;
         }
         if (HasFailure()) return;
     }
