@@ -101,8 +101,8 @@ private:
     }
     void visit(int x, int y) { memory_.visited[at(x, y) / 32] |= 1u << (at(x, y) % 32); }
 
-    // The four pixels that meet at a corner: which are in shadow, a bit each in the order north-west,
-    // north-east, south-west, south-east, and whether one is background.
+    // The four pixels that meet at a corner: which are in shadow, a bit each in the order
+    // north-west, north-east, south-west, south-east, and whether one is background.
     struct Corner {
         unsigned shadows;
         bool pinned;

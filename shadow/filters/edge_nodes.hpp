@@ -85,7 +85,8 @@ private:
         const Quotient step = row + 1 < last ? floor(sub_row * across, down) : Quotient{};
         Crossed crossed;
         for (; row < last; ++row) {
-            const unsigned x = static_cast<unsigned>(top_x + crossing.value + sub_row / 2) / sub_row;
+            const int middle = top_x + crossing.value + sub_row / 2;
+            const unsigned x = static_cast<unsigned>(middle) / sub_row;  // in sixteenths
             const int cell = row / sub_rows * pitch_ + static_cast<int>(x / sub_rows);
             if (cell != crossed.cell) {
                 put(crossed, up);

@@ -32,7 +32,8 @@ std::string half_plane_scene(int samples, int xy_bits = 8) {
            "extent = 3\nsamples = " + std::to_string(samples) + "\n"
            "[[plane]]\norigin = [-4, 0, 4]\nu = [8, 0, 0]\nv = [0, 0, -8]\n"
            "[[plane]]\norigin = [-4, 1, 4]\nu = [4, 0, 0]\nv = [0, 0, -8]\n"
-           "[settings]\nxy_bits = " + std::to_string(xy_bits) + "\nz_bits = 16\nlookup = \"bilinear\"\nbias = 2\n"
+           "[settings]\nxy_bits = " + std::to_string(xy_bits) +
+           "\nz_bits = 16\nlookup = \"bilinear\"\nbias = 2\n"
            "bias_unit = \"texels\"\n";
 }
 
