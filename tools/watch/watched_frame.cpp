@@ -8,7 +8,19 @@
 namespace umbra78::tools {
 namespace {
 
-std::vector<hw::Depth32> copy_of(const Buffer& plane) {
+// A method without a trace may have no map, and then no memory for one.
+void check_is_traced(const RenderJob& job) {
+    const shadow::Method& method = shadow::method_of(job.inputs());
+    if (method.trace != shadow::Trace::clocked_post_process)
+        throw SceneError(std::string(method.no_trace));
+    if (job.settings().receiver != shadow::Receiver::point)
+        throw SceneError("the clocked machine has no stage for the receiver's plane or normal; "
+                         "give --set receiver=point");
+}
+
+std::vector<hw::Depth32> copy_of(const RenderJob& job, Plane name) {
+    check_is_traced(job);
+    const Buffer plane = job.buffer(name);
     std::vector<hw::Depth32> codes(plane.pixels());
     for (std::size_t k = 0; k < codes.size(); ++k) codes[k] = plane.at(k);
     return codes;
@@ -27,13 +39,7 @@ WatchedFrame::WatchedFrame(const shadow::Settings& settings,
 
 WatchedFrame::WatchedFrame(const RenderJob& job)
     : WatchedFrame(job.settings(), job.matrices().lights[0].observer_to_light,
-                   copy_of(job.buffer(Plane::observer_z)), copy_of(job.buffer(Plane::light_z))) {
-    const shadow::Method& method = shadow::method_of(job.inputs());
-    if (method.trace != shadow::Trace::clocked_post_process)
-        throw SceneError(std::string(method.no_trace));
-    if (job.settings().receiver != shadow::Receiver::point)
-        throw SceneError("the clocked machine has no stage for the receiver's plane or normal; "
-                         "give --set receiver=point");
+                   copy_of(job, Plane::observer_z), copy_of(job, Plane::light_z)) {
     const std::span<const std::uint8_t> drawn = job.bytes(Plane::intensity);
     std::copy(drawn.begin(), drawn.end(), intensity_.begin());
     const std::span<const std::uint8_t> direct = job.bytes(Plane::direct);
