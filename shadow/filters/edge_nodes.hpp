@@ -68,9 +68,9 @@ private:
         held_ = needed;
     }
 
-    // Coverage to the right of an edge, for the sub-rows whose middle it crosses. No edge is longer
-    // than a pixel in either direction, for a mean's neighbours are no farther apart than those it
-    // is of.
+    // Coverage to the right of an edge, for the sub-rows whose middle it crosses. An edge begins as
+    // one pixel long, and no pass makes it longer in either direction (tests/PROOFS.md,
+    // edge_length_32).
     void add_edge(int ax, int ay, int bx, int by) {
         if (ay == by) return;
         const bool up = by < ay;  // northward: the shadow begins to the right
