@@ -49,6 +49,14 @@ std::uint8_t slow_pixel(const FilteredPicture& p, int x, int y) {
     return static_cast<std::uint8_t>((2 * sum + 16) / 32);  // half up
 }
 
+TEST(LowPass, WeightsThatAreToldAreThoseThatAreUsed) {
+    constexpr std::array<std::array<int, 3>, 3> weight{{{1, 2, 1}, {2, 4, 2}, {1, 2, 1}}};
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+            EXPECT_EQ(low_pass_weight(dx, dy), weight[static_cast<std::size_t>(dy + 1)]
+                                                     [static_cast<std::size_t>(dx + 1)]);
+}
+
 TEST(LowPass, AConstantStaysConstant) {
     Random random;
     for (const int level : {0, 1, 127, 128, 254, 255}) {

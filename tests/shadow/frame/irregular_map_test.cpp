@@ -103,5 +103,21 @@ TEST(IrregularMap, CostsItsDrawingAndItsPoints) {
     EXPECT_EQ(l.light.units.side_by_side(), 0u);
 }
 
+TEST(IrregularMap, EachLightHasItsOwnCosts) {
+    const PlannedScene planned = at_points("floor");
+    PlannedFrame f(planned);
+    f.draw(make_plan(f.inputs));
+    FrameCounts counts = f.frame.counts;
+    counts.lights[1] = counts.lights[0];
+    counts.lights[1].method_frame.adds += 1000;
+    FrameMatrices matrices = f.inputs.matrices;
+    matrices.lights[1] = matrices.lights[0];
+    const FrameInputs in{f.inputs.scene, f.inputs.settings, matrices};
+    FrameLedger first{}, second{};
+    cost_of_irregular_map(in, 0, f.frame.buffers, counts, first);
+    cost_of_irregular_map(in, 1, f.frame.buffers, counts, second);
+    EXPECT_EQ(second.test.operations.adds, first.test.operations.adds + 1000);
+}
+
 }  // namespace
 }  // namespace umbra78::shadow

@@ -38,6 +38,18 @@ FramePlan put_back(FramePlan plan, std::size_t omission) {
     return plan;
 }
 
+TEST(FramePlan, MapsAndMasksAreALightsFiltersASources) {
+    std::array<int, 3> of{};
+    for (std::size_t k = 0; k < omission_count; ++k)
+        ++of[static_cast<std::size_t>(scope_of(static_cast<Omission>(k)))];
+    EXPECT_EQ(of, (std::array{10, 6, 4})) << "of the frame, of a light, of a source";
+    for (const Omission o : {Omission::light_map, Omission::post_process, Omission::same_light_map,
+                             Omission::same_mask})
+        EXPECT_EQ(scope_of(o), Scope::light);
+    EXPECT_EQ(scope_of(Omission::composite), Scope::source);
+    EXPECT_EQ(scope_of(Omission::same_picture), Scope::frame);
+}
+
 // --- leaving out --------------------------------------------------------------------------------
 
 TEST(FramePlan, LeavingOutChangesNoBit) {

@@ -82,6 +82,18 @@ TEST(RivalForms, StencilsHaveOneMaskThatNeedsTheCodes) {
     }
 }
 
+// Counting what lies behind the visible surface takes the volumes' far ends, too.
+TEST(RivalForms, CountingBehindTakesMore) {
+    const auto accesses = [](Form form) {
+        const PlannedScene planned = with_form("floor", form);
+        PlannedFrame f(planned);
+        f.draw(make_plan(f.inputs));
+        const LightCounts& c = f.frame.counts.lights[0];
+        return c.method_once.accesses + c.method_frame.accesses;
+    };
+    EXPECT_GT(accesses(Form::stencil_fail), accesses(Form::stencil_pass));
+}
+
 // A rival's codes are on the scale of the observer's store. They are not the same everywhere: a
 // facet's vertices are rounded otherwise, and the machine dices a patch by its own levels.
 TEST(RivalForms, TheirCodesAreTheStores) {

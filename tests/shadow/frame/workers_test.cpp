@@ -39,6 +39,12 @@ auto list(const FrameLedger& l) {
                       l.observer_counts.samples, l.light_counts.samples, l.visible};
 }
 
+// Several bands test the centres of a block that crosses their limits, each all of them.
+void expect_as_many_centres(const raster::DrawCounts& one, const raster::DrawCounts& many) {
+    EXPECT_GE(many.tested_centres, one.tested_centres);
+    EXPECT_LE(many.tested_centres, max_workers * one.tested_centres);
+}
+
 void expect_same(const PlannedFrame& one, const PlannedFrame& many) {
     test::expect_equal_frames(one.frame.buffers, many.frame.buffers,
                         umbra78::test::Constant::expected);
@@ -46,6 +52,8 @@ void expect_same(const PlannedFrame& one, const PlannedFrame& many) {
     EXPECT_EQ(list(a.observer), list(b.observer));
     EXPECT_EQ(list(a.lights[0].map), list(b.lights[0].map));
     EXPECT_EQ(list(a.lights[0]), list(b.lights[0]));
+    expect_as_many_centres(a.observer, b.observer);
+    expect_as_many_centres(a.lights[0].map, b.lights[0].map);
     EXPECT_EQ(list(frame_ledger(one.inputs, one.frame.buffers, a)),
               list(frame_ledger(many.inputs, many.frame.buffers, b)));
 }
