@@ -48,6 +48,28 @@ World random_world(Random& random, int shift) {
     return {word(), word(), word()};
 }
 
+// The lights of a square source stand in the middles of n x n equal cells: as far to the left of
+// its middle as to the right, a cell apart; a byte of noise puts one within its cell.
+TEST(AreaPlaces, AreTheCellsOfTheSource) {
+    for (int n = 1; n <= 8; ++n) {
+        int sum = 0;
+        for (int i = 0; i < n; ++i) {
+            const AreaPlace at = middle_of_cell(n, i, n - 1 - i);
+            sum += at.right;
+            EXPECT_EQ(at.over, 2 * n);
+            EXPECT_EQ(at.up, -at.right);
+            EXPECT_EQ(at.right - middle_of_cell(n, 0, 0).right, 2 * i);
+            const AreaPlace first = noise_in_cell(n, i, 0, 0, 255);
+            const AreaPlace last = noise_in_cell(n, i, 0, 255, 0);
+            EXPECT_EQ(first.over, 512 * n);
+            EXPECT_EQ(first.right + last.right, 2 * 256 * at.right) << "about the cell's middle";
+            EXPECT_EQ(last.right - first.right, 510);
+            EXPECT_EQ(first.up - last.up, 510);
+        }
+        EXPECT_EQ(sum, 0);
+    }
+}
+
 TEST(ViewAxes, IsOrthonormalWithinAFewUnits) {
     Random random;
     double worst_angles = 0, worst_points = 0;

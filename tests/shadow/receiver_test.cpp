@@ -4,6 +4,7 @@
 
 #include "shadow/compare.hpp"
 #include "tests/fixed/boundary.hpp"
+#include "tests/shadow/random_frames.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,35 @@ using fixed::test::Random;
 
 hw::Point point(std::int64_t x, std::int64_t y, std::int64_t z) {
     return {x, y, z, hw::DivideStatus::ok};
+}
+
+// The nearer neighbour in depth; the first of two that are as near, and none beyond the frame or
+// where nothing was drawn.
+TEST(ReceiverPlane, IsOfTheNearerNeighbours) {
+    test::OwnedStore<hw::Depth16> owned(2);
+    const hw::FrameStore<const hw::Depth16> store{2, owned.depth, {}, {}};
+    constexpr std::uint32_t none = 65535;
+    const auto found = [&](int dx, int dy) {
+        int x = -1, y = -1;
+        const bool any = nearer_neighbour(store, none, 1, 1, dx, dy, x, y);
+        return std::array{any ? 1 : 0, x, y};
+    };
+    owned.depth[store.address(1, 1)] = 100;
+    const auto put = [&](int left, int right, int above, int below) {
+        owned.depth[store.address(0, 1)] = static_cast<hw::Depth16>(left);
+        owned.depth[store.address(2, 1)] = static_cast<hw::Depth16>(right);
+        owned.depth[store.address(1, 0)] = static_cast<hw::Depth16>(above);
+        owned.depth[store.address(1, 2)] = static_cast<hw::Depth16>(below);
+    };
+    put(90, 111, 110, 95);
+    EXPECT_EQ(found(1, 0), (std::array{1, 0, 1}));
+    EXPECT_EQ(found(0, 1), (std::array{1, 1, 2}));
+    put(90, 110, 110, 90);
+    EXPECT_EQ(found(1, 0), (std::array{1, 0, 1})) << "as near: the first";
+    EXPECT_EQ(found(0, 1), (std::array{1, 1, 0}));
+    put(none, 500, none, none);
+    EXPECT_EQ(found(1, 0), (std::array{1, 2, 1}));
+    EXPECT_EQ(found(0, 1), (std::array{0, -1, -1}));
 }
 
 // Z = a X + b Y + c in whole quanta a step: any two neighbours give the same plane, and the change

@@ -2,6 +2,7 @@
 // nothing is lost or doubled at the edges of the cube's faces, and what it costs.
 #include "shadow/frame/costs.hpp"
 #include "shadow/frame/plan.hpp"
+#include "shadow/sectors.hpp"
 #include "tests/shadow/frame/equal_frames.hpp"
 #include "tests/shadow/frame/figure_frame.hpp"
 #include "tests/shadow/frame/variant_scenes.hpp"
@@ -17,6 +18,20 @@ namespace {
 
 using test::VariantScene;
 using umbra78::test::expect_equal_buffers;
+
+TEST(SectorCounts, AreAddedFaceByFace) {
+    SectorCounts one{}, more{};
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        one[k] = {10 + k, k, 1};
+        more[k] = {100, 20 * k, 2};
+    }
+    one += more;
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        EXPECT_EQ(one[k].visible, 110 + k);
+        EXPECT_EQ(one[k].shadowed, 21 * k);
+        EXPECT_EQ(one[k].lines, 3u);
+    }
+}
 
 Settings small_sectored() {
     Settings s;

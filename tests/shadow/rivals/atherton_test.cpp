@@ -22,6 +22,8 @@ TEST(Atherton, EqualsBruteForce) {
             all.walks += c.clips.walks, all.holes += c.clips.holes;
             all.inside += c.clips.inside, all.moved.ties += c.clips.moved.ties;
             wrong += c.wrong, partly += c.casters.partly;
+            EXPECT_LE(c.casters.partly, c.casters.casters);
+            EXPECT_LE(c.casters.casters, c.casters.planes);
             longest = std::max(longest, c.longest);
         }
     }

@@ -67,5 +67,24 @@ TEST(RivalCosts, AreTheRowsOfTheText) {
     EXPECT_GE(told.size(), 25u);
 }
 
+// Each count of the irregular map's costs what the text says, and only that.
+TEST(RivalCosts, OfTheIrregularMapByItsCounts) {
+    const struct {
+        std::uint64_t IrregularCounts::*count;
+        hw::Operations each;
+    } told[] = {{&IrregularCounts::samples, cost::placed_sample},
+                {&IrregularCounts::facet_texels, cost::scanned_texel},
+                {&IrregularCounts::visits, cost::box_test},
+                {&IrregularCounts::facets_asked, cost::asked_facet},
+                {&IrregularCounts::texels_filled, {}}};
+    for (const auto& [count, each] : told) {
+        IrregularCounts counts;
+        counts.*count = 7;
+        const Work work = work_of(counts, Mesh{}, 3);
+        EXPECT_EQ(cells_of(work.frame), cells_of(3 * cost::written_pixel + 7 * each));
+        EXPECT_EQ(cells_of(work.once), cells_of({}));
+    }
+}
+
 }  // namespace
 }  // namespace umbra78::shadow::rivals

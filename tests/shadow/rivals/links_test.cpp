@@ -1,4 +1,5 @@
 // Links leave out no facet that shadows another, and sectors change none.
+#include "shadow/rivals/facet_picture.hpp"
 #include "tests/shadow/rivals/scan_out.hpp"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,21 @@ std::vector<std::uint32_t> sorted_links(const Links& links, std::size_t facet) {
     std::vector<std::uint32_t> sorted(list.begin(), list.end());
     std::sort(sorted.begin(), sorted.end());
     return sorted;
+}
+
+TEST(PictureBox, OverlapsWhereBothHaveAPlace) {
+    const PictureBox box{-3, 4, 10, 20};  // both ends are in it
+    EXPECT_TRUE(box.overlaps(box));
+    EXPECT_TRUE(box.overlaps({0, 1, 12, 13}));
+    for (const PictureBox& touching : {PictureBox{4, 9, 20, 30}, PictureBox{-9, -3, 0, 10}}) {
+        EXPECT_TRUE(box.overlaps(touching));
+        EXPECT_TRUE(touching.overlaps(box));
+    }
+    for (const PictureBox& beside : {PictureBox{5, 9, 10, 20}, PictureBox{-9, -4, 10, 20},
+                                     PictureBox{-3, 4, 21, 22}, PictureBox{-3, 4, 8, 9}}) {
+        EXPECT_FALSE(box.overlaps(beside));
+        EXPECT_FALSE(beside.overlaps(box));
+    }
 }
 
 TEST(RivalLinks, LeaveOutNoFacetThatShadows) {
