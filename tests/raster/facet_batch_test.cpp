@@ -225,11 +225,13 @@ TEST(FacetBatch, IsTheFacetsOneByOne) {
                 of_kind += expect_same_frames<hw::Depth16>(c, mesh, n % 2 == 0, *memory);
             if (HasFailure()) FAIL() << "mesh " << n;
         }
-        if (kind.step < 1 << 20) {  // far out of the frame most meshes are out of its depth, too
-            EXPECT_GT(of_kind, static_cast<std::uint64_t>(effort(60))) << kind.name;
+        // Far out of the frame most meshes are out of its depth, too, and so may be a few.
+        if (kind.step < 1 << 20 && !umbra78::test::sanitized) {
+            EXPECT_GT(of_kind, 60u) << kind.name;
         }
         samples += of_kind;
     }
+    EXPECT_GT(samples, static_cast<std::uint64_t>(effort(80000)));
     std::cout << "[ measured ] " << samples << " samples\n";
 }
 
