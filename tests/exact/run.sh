@@ -70,7 +70,8 @@ if [ -n "${UMBRA78_EXACT_LEAST:-}" ]; then
     bit=$((2 * bit))
   done
   common="$common -DUMBRA78_LEFT_OUT=$left_out"
-  drawn_by=$(echo "$drawn_by" | grep -vE '/(facet|facet_batch|triangle|dice|diced_view|planar)[.]cpp$' |
+  drawn_by=$(echo "$drawn_by" | grep -vE '/(facet|facet_batch|triangle)[.]cpp$' |
+    grep -vE '/(dice|diced_view|planar)[.]cpp$' |
     grep -vE '/(blob|post_process_rows|row_.*|ledger|costs|reuse|ground|rivals)[.]cpp$' |
     grep -vE '/(ap120b|clocked|rivals)/|/(rival_casts|irregular_map|object_space_casts)[.]cpp$')
 fi
