@@ -1,11 +1,14 @@
 #include "tools/io/console.hpp"
 
+#include "tools/io/first_error.hpp"
+
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace umbra78::tools {
 namespace {
@@ -28,9 +31,7 @@ void open_standard_streams() {
 }
 
 void print_error(std::string text) {
-    for (char& letter : text)
-        if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
-    lost |= !print_all("umbra78: " + text + "\n");
+    lost |= !print_all("umbra78: " + in_one_line(std::move(text)) + "\n");
 }
 
 void print_warning(const std::string& text) { print_error("warning: " + text); }

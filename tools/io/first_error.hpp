@@ -5,14 +5,22 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 namespace umbra78::tools {
 
+// With a blank for each control character: a text of a file or of an argument may have lines.
+inline std::string in_one_line(std::string text) {
+    for (char& letter : text)
+        if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
+    return text;
+}
+
 class FirstError {
 public:
-    // `line` names the place, what is wrong and the remedy.
-    void report(std::string line) {
-        if (line_.empty()) line_ = std::move(line);
+    // `text` names the place, what is wrong and the remedy.
+    void report(std::string text) {
+        if (line_.empty()) line_ = in_one_line(std::move(text));
     }
     bool any() const { return !line_.empty(); }
     const std::string& line() const { return line_; }

@@ -147,6 +147,15 @@ TEST(SceneErrors, ACharacterThatIsNotAsciiStandsInTextsAndCommentsAlone) {
     for (const char* name : {"\"\xCE\xA9\"", "'\xCD\xAD'", "\"\\\" \xCE\xA9\"",
                              "\"\"\"\xCE\xA9 \"\" \n\xCE\xA9\"\"\"", "'''\xCE\xA9'''"})
         EXPECT_EQ(error("\xEF\xBB\xBF" + named + name), "no error") << name;
+    EXPECT_EQ(error(light + "x = 3x['\xEF\xBB\xBD'\n"),
+              "a.toml:3: this is not valid TOML: Error while parsing decimal integer: expected "
+              "digit, saw 'x'");
+}
+
+TEST(SceneErrors, ATextOfManyLinesIsToldInOne) {
+    EXPECT_EQ(error_of({"[light]\nkind = \"\"\"a\n\tb\"\"\"\n", {}}),
+              "a.toml:2: 'kind' in [light] is the text 'a  b'; known here: directional, point, "
+              "area, sectors");
 }
 
 }  // namespace
