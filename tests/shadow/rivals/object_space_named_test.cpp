@@ -2,6 +2,7 @@
 #include "tests/shadow/rivals/atherton.hpp"
 #include "tests/shadow/rivals/named_scenes.hpp"
 #include "tests/shadow/rivals/object_space.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,9 @@ namespace {
 
 TEST(ObjectSpaceScenes, EqualBruteForceInAnyOrderOfFacets) {
     const Capacities room{1024, {4096, 32768, 64}, {32768, 262144}, {4096, 32768, 128}};
-    std::uint64_t pairs = 0, cycles = 0, holes = 0;
+    std::uint64_t pairs = 0, cycles = 0, holes = 0, scenes = 0;
     for (const Polygons& named : named_scenes()) {
+        if (umbra78::test::sanitized && ++scenes % 2 == 0) continue;
         for (std::uint32_t seed = 0; seed < (umbra78::test::sanitized ? 1u : 2u); ++seed) {
             const Scene scene(seed == 0 ? named : in_another_order(named, seed));
             const auto expected = scene.brute_mask();
@@ -33,9 +35,9 @@ TEST(ObjectSpaceScenes, EqualBruteForceInAnyOrderOfFacets) {
             }
         }
     }
-    EXPECT_GT(pairs, 100u);
-    EXPECT_GT(cycles, umbra78::test::sanitized ? 5u : 10u);
-    EXPECT_GT(holes, umbra78::test::sanitized ? 5u : 10u);
+    EXPECT_GT(pairs, umbra78::test::sanitized ? 50u : 100u);
+    EXPECT_GT(cycles, umbra78::test::sanitized ? 2u : 10u);
+    EXPECT_GT(holes, umbra78::test::sanitized ? 2u : 10u);
 }
 
 }  // namespace

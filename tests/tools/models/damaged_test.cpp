@@ -2,6 +2,7 @@
 // the place in a binary file.
 #include "tests/tools/models/binary_texts.hpp"
 #include "tests/tools/models/model_texts.hpp"
+#include "tests/support/effort.hpp"
 
 #include <random>
 #include <regex>
@@ -59,7 +60,7 @@ TEST(Damaged, FilesAreReadOrRefusedInOneLine) {
     int refused = 0, read = 0;
     for (const auto& [name, text] : whole_files()) {
         ASSERT_EQ(read_model(text, name).error, "");
-        for (int n = 0; n < 4000; ++n) {
+        for (int n = 0; n < umbra78::test::effort(4000); ++n) {
             const std::string bad = damaged(text, random);
             const ModelResult result = read_model(bad, name);
             ++(result.ok() ? read : refused);
@@ -69,8 +70,8 @@ TEST(Damaged, FilesAreReadOrRefusedInOneLine) {
             }
         }
     }
-    EXPECT_GT(refused, 4000);
-    EXPECT_GT(read, 2000);
+    EXPECT_GT(refused, umbra78::test::effort(4000));
+    EXPECT_GT(read, umbra78::test::effort(2000));
 }
 
 }  // namespace

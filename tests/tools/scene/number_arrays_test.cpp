@@ -1,5 +1,6 @@
 // Arrays of numbers that do not pass through toml++: the trees, the errors and the patches are as
 // if they did.
+#include "tests/support/effort.hpp"
 #include "tests/tools/scene/toml_trees.hpp"
 #include "tools/scene/scene.hpp"
 
@@ -62,7 +63,7 @@ TEST(NumberArrays, TreesAndErrorsAreTheLibrarysOwn) {
     constexpr unsigned seed = 1978;
     std::mt19937 random(seed);
     int whole = 0, emptied = 0;
-    for (int n = 0; n < 200'000; ++n) {
+    for (int n = 0; n < umbra78::test::effort(200'000); ++n) {
         std::string text = random_text(random);
         if (random() % 4 != 0) text = "[[p]]\nx = [1, 2]\n" + text;
         const std::string read = printed_toml(text, ArraysOfNumbers::are_read);
@@ -72,8 +73,8 @@ TEST(NumberArrays, TreesAndErrorsAreTheLibrarysOwn) {
         whole += valid ? 1 : 0;
         emptied += valid && arrays_in(text) > 1 ? 1 : 0;
     }
-    EXPECT_GT(whole, 5000);
-    EXPECT_GT(emptied, 500);
+    EXPECT_GT(whole, umbra78::test::effort(5000));
+    EXPECT_GT(emptied, umbra78::test::effort(500));
 }
 
 std::string random_number(std::mt19937& random) {
