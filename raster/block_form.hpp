@@ -4,6 +4,9 @@
 //   centres   its samples at the pixels' centres                        sampling.hpp
 //   leaves    its samples at the leaves' centres                        sampling.hpp
 //   shade     the levels of its leaves                                  shading.hpp
+//   measure_normals, shade_normals
+//             the same of samples with these normals, of which the first does what does not
+//             depend on a light
 //
 // The headers named on the right are the definitions. The forms are one text, block_body.hpp, of
 // loops over 16 leaves that the compiler makes vectors of, once for each of fixed/lane_sets.hpp.
@@ -47,6 +50,11 @@ struct BlockForm {
     bool (*leaves)(const Corners& grid, std::int32_t half_px, BlockSamples& out);
     // Of `count` leaves, by their numbers; there is room for 15 more numbers behind them.
     void (*shade)(const ShadeJob& job, std::uint8_t* numbers, std::size_t count, LeafLevels& out);
+    // Of the job only the viewer is read.
+    void (*measure_normals)(const ShadeJob& job, SampleNormals& normals);
+    // Of the first `count` of these normals, by their order. They were measured for this viewer.
+    void (*shade_normals)(const ShadeJob& job, const SampleNormals& normals, std::size_t count,
+                          LeafLevels& out);
     FacetForm facets;
 };
 

@@ -14,6 +14,8 @@ namespace {
      set::centres_form,                                                         \
      set::leaves_form,                                                          \
      set::shade_form,                                                           \
+     set::measure_normals_form,                                                 \
+     set::shade_normals_form,                                                   \
      {set::see_form, set::measure_form, set::few_form, set::tile_form,          \
       set::put_form, set::shade_facets_form}},
 constexpr BlockForm block_table[] = {UMBRA78_LANE_SETS(UMBRA78_BLOCK_FORM)};

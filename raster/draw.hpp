@@ -157,7 +157,8 @@ void sample_block(const DrawSetup& setup, DrawMemory& memory, const BlockForm& f
         keep_samples(setup, memory, emit);
         if (samples.count == 0) return;
         shaded([&](BlockShading* shading) {
-            if (shading != nullptr) shade_leaves(samples, form, memory.levels, *shading);
+            if constexpr (!requires { SampleSink::makes_levels; })
+                if (shading != nullptr) shade_leaves(samples, form, memory.levels, *shading);
             for (std::size_t k = 0; k < samples.count; ++k)
                 emit.sink.sample(sample_of(samples.sample[k], setup.spec.half_px()),
                                  memory.codes[k], static_cast<const BlockShading*>(shading));
@@ -172,8 +173,11 @@ void draw_patches(std::span<const Patch> patches, std::span<const std::uint32_t>
     const BlockForm& form = setup.blocks != nullptr ? *setup.blocks : fastest_block_form();
     BlockWalk walk(setup, memory, SampleSink::shades, counts);
     for (std::size_t k = 0; k < patches.size(); ++k) {
-        const Patch& patch = patches[order.empty() ? k : order[k]];
+        const std::size_t number = order.empty() ? k : order[k];
+        const Patch& patch = patches[number];
         const Material* material = material_of<SampleSink>(patch.material, setup);
+        if constexpr (requires { emit.sink.begin_patch(0u); })
+            emit.sink.begin_patch(static_cast<std::uint32_t>(number));
         walk.push_patch(patch);
         if (!setup.draws([&] { return walk.outside(); })) {
             walk.drop_patch();

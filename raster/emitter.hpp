@@ -17,6 +17,8 @@ namespace umbra78::raster {
 //   hidden(f)     whether every sample with this footprint would change nothing
 //   expect(f)     if there: samples with this footprint will come
 //   keeps(x, y, code)  if there: whether a sample of the pixel may change anything
+//   begin_patch(k)     if there: the samples that follow are of this patch
+//   makes_levels  a constant, if there: false where a block's levels are not made beforehand
 //   sample(...)   one sample, its Z code and the shading of its block or facet
 template <class T>
 concept Sink = requires(T& sink, const T& unchanged, const Footprint& footprint,

@@ -132,12 +132,10 @@ static inline void put(const std::uint8_t* leaf, std::size_t count, const std::u
 }
 
 // The levels of `count` leaves or samples with these normals, by their numbers.
-static void shade_16(const ShadeJob& job, LeafNormals& normals, const std::uint8_t* leaf,
-                     std::size_t count, LeafLevels& out) {
-    Lanes n_v, n_l, n_h = {}, shine = {};
+static void shade_measured(const ShadeJob& job, const LeafNormals& normals, const Lanes& n_v,
+                           const std::uint8_t* leaf, std::size_t count, LeafLevels& out) {
+    Lanes n_l, n_h = {}, shine = {};
     ChannelLevels channels[max_channels];
-    find_lengths(normals);
-    find_cosines(normals, job.viewer, n_v);
     for (std::size_t c = 0; c < job.channels; ++c) {
         const std::uint64_t ambient = times(word(job.diffuse[c] * job.ambient_q8), 1 << 22);
         for (int i = 0; i < leaves; ++i) {
@@ -167,6 +165,14 @@ static void shade_16(const ShadeJob& job, LeafNormals& normals, const std::uint8
         put(leaf, count, channels[c].intensity, out.level[c * planes]);
 }
 
+static void shade_16(const ShadeJob& job, LeafNormals& normals, const std::uint8_t* leaf,
+                     std::size_t count, LeafLevels& out) {
+    Lanes n_v;
+    find_lengths(normals);
+    find_cosines(normals, job.viewer, n_v);
+    shade_measured(job, normals, n_v, leaf, count, out);
+}
+
 static void shade_form(const ShadeJob& job, std::uint8_t* numbers, std::size_t count,
                        LeafLevels& out) {
     for (std::size_t k = 0; k < leaves; ++k)  // the last lanes hold a leaf's number, too
@@ -176,6 +182,36 @@ static void shade_form(const ShadeJob& job, std::uint8_t* numbers, std::size_t c
         find_normals(job, numbers + k, normals);
         shade_16(job, normals, numbers + k, count - k < leaves ? count - k : leaves, out);
     }
+}
+
+static void measure_normals_form(const ShadeJob& job, SampleNormals& __restrict given) {
+    LeafNormals normals;
+    Lanes n_v;
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < leaves; ++i) normals.n[k][i] = given.n[k][i];
+    find_lengths(normals);
+    find_cosines(normals, job.viewer, n_v);
+    for (int i = 0; i < leaves; ++i) {
+        given.length[i] = static_cast<std::uint32_t>(normals.length[i]);
+        given.reciprocal[i] = static_cast<std::uint32_t>(normals.reciprocal[i]);
+        given.n_dot_v[i] = n_v[i];
+    }
+}
+
+static void shade_normals_form(const ShadeJob& job, const SampleNormals& given, std::size_t count,
+                               LeafLevels& out) {
+    LeafNormals normals;
+    Lanes n_v;
+    std::uint8_t number[leaves];
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < leaves; ++i) normals.n[k][i] = given.n[k][i];
+    for (int i = 0; i < leaves; ++i) {
+        number[i] = static_cast<std::uint8_t>(i);
+        normals.length[i] = given.length[i];
+        normals.reciprocal[i] = given.reciprocal[i];
+        n_v[i] = given.n_dot_v[i];
+    }
+    shade_measured(job, normals, n_v, number, count, out);
 }
 
 #endif

@@ -28,6 +28,14 @@ struct ShadeJob {
     bool two_sided;               // normals are turned to the viewer
 };
 
+// Normals of up to 16 samples, each the mean of a block's unit normals at its leaf's centre, Q.24,
+// and what of their shading does not depend on a light (shade_body.hpp).
+struct SampleNormals {
+    std::int32_t n[3][leaves];
+    std::uint32_t length[leaves], reciprocal[leaves];
+    std::int32_t n_dot_v[leaves];
+};
+
 // The levels of a block's leaves, or of a list's samples: for each channel its intensity and its
 // direct shares.
 struct LeafLevels {
@@ -42,6 +50,13 @@ struct LeafLevels {
             for (std::size_t l = 0; l < sources; ++l) shades[c].direct[l] = plane[1 + l][leaf];
         }
         return shades;
+    }
+    void put(std::size_t leaf, const Shades& shades, std::size_t channels, std::size_t sources) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            auto* plane = level + c * (1 + sources);
+            plane[0][leaf] = shades[c].intensity;
+            for (std::size_t l = 0; l < sources; ++l) plane[1 + l][leaf] = shades[c].direct[l];
+        }
     }
 };
 

@@ -90,6 +90,24 @@ std::int64_t highlight(const Cosines& c, std::int32_t shininess, ShadingRule rul
     return h;
 }
 
+// `direction` says where the viewer or a source lies.
+template <class Direction>
+Shades shade_by(const WideVector& n, const ShadingSpec& spec, const Material& material,
+                Shadowed shadowed, Direction&& direction) {
+    BySource<Cosines> all;
+    const std::span used = std::span(all).first(spec.source_count);
+    if (spec.rule == ShadingRule::none) {
+        std::ranges::fill(used, facing_all);
+        return shade(used, spec, material, shadowed);
+    }
+    const UnitVector to_viewer = direction(spec.viewer);
+    for (std::size_t l = 0; l < used.size(); ++l) {
+        used[l] = cosines(n, direction(spec.sources[l].toward), to_viewer, spec.rule);
+        if (used[l].n_dot_v < 0) used[l].turn();
+    }
+    return shade(used, spec, material, shadowed);
+}
+
 }  // namespace
 
 WideVector scaled_to(WideVector v, int bits) {
@@ -240,10 +258,15 @@ bool shade_job(const ShadingSpec& spec, const Material& material, ShadeJob& out)
     return true;
 }
 
-bool BlockShading::job(ShadeJob& out) const {
+bool BlockShading::turns_little() const {
     for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = 0; b < a; ++b)
             if (dot(wide(normal_[a]), wide(normal_[b])) < one_q14 * one_q14 / 2) return false;
+    return true;
+}
+
+bool BlockShading::job(ShadeJob& out) const {
+    if (!turns_little()) return false;
     if (!shade_job(spec_, material_, out)) return false;
     out.two_sided = true;
     for (std::size_t corner = 0; corner < 4; ++corner)
@@ -255,20 +278,15 @@ Shades BlockShading::kept_levels(const Sample& s) const {
     return levels_->of(leaf_number(s), std::min(spec_.channels, max_channels), spec_.source_count);
 }
 
+WideVector BlockShading::mean_normal(int i, int j) const { return at_leaf(normal_, i, j); }
+
 Shades BlockShading::shade(int i, int j, Shadowed shadowed) const {
-    BySource<Cosines> all;
-    const std::span used = std::span(all).first(spec_.source_count);
-    if (spec_.rule == ShadingRule::none) {
-        std::ranges::fill(used, facing_all);
-        return raster::shade(used, spec_, material_, shadowed);
-    }
-    const WideVector n = at_leaf(normal_, i, j);  // Q.24
-    const UnitVector to_viewer = toward(spec_.viewer, i, j);
-    for (std::size_t l = 0; l < used.size(); ++l) {
-        used[l] = cosines(n, toward(spec_.sources[l].toward, i, j), to_viewer, spec_.rule);
-        if (used[l].n_dot_v < 0) used[l].turn();
-    }
-    return raster::shade(used, spec_, material_, shadowed);
+    return shade_by(mean_normal(i, j), spec_, material_, shadowed,
+                    [&](const Toward& to) { return toward(to, i, j); });
+}
+
+Shades shade_normal(const WideVector& normal, const ShadingSpec& spec, const Material& material) {
+    return shade_by(normal, spec, material, 0, [](const Toward& to) { return to.direction; });
 }
 
 }  // namespace umbra78::raster

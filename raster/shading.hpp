@@ -122,6 +122,9 @@ Cosines cosines(const WideVector& normal, const UnitVector& to_light, const Unit
 Shades shade(std::span<const Cosines> cosines, const ShadingSpec& spec, const Material& material,
              Shadowed shadowed);
 
+// By a normal of any length, on either side, where viewer and sources are at infinity.
+Shades shade_normal(const WideVector& normal, const ShadingSpec& spec, const Material& material);
+
 // From a place, 1024 times as large as `toward` has it.
 UnitVector direction(const Toward& toward, const WideVector& place_1024);
 
@@ -146,9 +149,13 @@ public:
                                                    : shade(s.leaf_i, s.leaf_j, shadowed);
     }
     // The same for the lanes, and the levels that they made of it: of every leaf that is asked for.
-    // False where lanes do not cover it: light or viewer at a point, no shading, or normals that
-    // turn by 60 degrees or more within the block.
+    // False where lanes do not cover it: light or viewer at a point, no shading, or normals that do
+    // not turn little.
     bool job(ShadeJob& out) const;
+    // Whether no two of the corners' normals are 60 degrees or more apart.
+    bool turns_little() const;
+    // Of leaf (i, j), of unit normals, Q.24.
+    WideVector mean_normal(int i, int j) const;
     void keep(const LeafLevels& levels) { levels_ = &levels; }
     const LeafLevels* kept() const { return levels_; }
     // What the store keeps of the sample's leaf.

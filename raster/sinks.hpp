@@ -236,7 +236,10 @@ public:
     bool takes_levels() const { return !normals_.kept(); }
     [[gnu::always_inline]] void take(int px, int py, std::uint32_t code, const LeafLevels& levels,
                                      std::size_t leaf) {
-        const std::size_t a = store_.address(px, py);
+        take(store_.address(px, py), code, levels, leaf);
+    }
+    [[gnu::always_inline]] void take(std::size_t a, std::uint32_t code, const LeafLevels& levels,
+                                     std::size_t leaf) {
         Depth& z = store_.depth[a];
         if (code > z || (code == z && !planes_.is_less(levels, leaf, a))) return;
         z = static_cast<Depth>(code);

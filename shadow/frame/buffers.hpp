@@ -8,6 +8,7 @@
 #include "hw/frame_store.hpp"
 #include "hw/operations.hpp"
 #include "raster/draw.hpp"
+#include "raster/visible_list.hpp"
 #include "shadow/carver.hpp"
 #include "shadow/executor.hpp"
 #include "shadow/filters/dequantize.hpp"
@@ -52,6 +53,8 @@ struct FrameBuffers {
     // The caller's threads, which he hands in after carving for as many workers or more.
     Executor executor{};
     std::size_t workers = 1;  // carved for
+    // The caller's, where the lights may change from frame to frame and the observer's Z does not.
+    raster::VisibleList* visible = nullptr;
     std::span<std::byte> method_memory;  // the caller's, for a method whose row says may_run_out
 
     std::size_t pixels() const { return observer.depth.size(); }

@@ -179,6 +179,27 @@ void test_sectors(const FrameInputs& in, const FramePlan& plan, const Source& so
             method_of(in).stages<Depth>().cast(in, plan, first + k, frame, counts);
 }
 
+// Whether the intensities of a view whose Z is kept were shaded from the list of what it shows. The
+// list is made in the first such frame.
+template <class Depth>
+bool shaded_from_list(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
+                      FrameCounts& counts) {
+    raster::VisibleList* list = frame.visible;
+    const raster::ShadingSpec spec = shading_of(in);
+    if (list == nullptr || list->does_not_fit() || !raster::lists_cover(spec) ||
+        in.settings.surface != raster::PatchForm::catmull || !in.scene.mesh.facets.empty())
+        return false;
+    if (!list->is_whole()) {
+        raster::VisibleSink<Depth> sink{frame.observer, *list};
+        counts.observer =
+            draw_view(in, plan, in.scene.observer, in.matrices.world_to_observer, frame, sink);
+        list->end();
+        if (!list->is_whole()) return false;
+    }
+    raster::shade_list(*list, in.scene.patches, in.scene.materials, spec, frame.observer);
+    return true;
+}
+
 template <class Depth>
 void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Depth>& frame,
                   FrameCounts& counts) {
@@ -192,7 +213,9 @@ void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
     }
     if (!tested && plan.leaves_out(Omission::same_depth)) {
         clear_intensities(in.settings.machine, store);
+        if (shaded_from_list(in, plan, frame, counts)) return;
     } else {
+        if (frame.visible != nullptr) frame.visible->forget();
         clear_store(in, store, frame.executor);
     }
     if (tested) {

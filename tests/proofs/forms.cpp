@@ -19,7 +19,8 @@ namespace umbra78::raster::proof_lanes {  // the text itself, to look into it
 #include "raster/block_body.hpp"
 #undef UMBRA78_LANES_TEXT
 [[maybe_unused]] constexpr BlockForm whole{
-    "", nullptr, expand_form, centres_form, leaves_form, shade_form,
+    "", nullptr, expand_form, centres_form, leaves_form, shade_form, measure_normals_form,
+    shade_normals_form,
     {see_form, measure_form, few_form, tile_form, put_form, shade_facets_form}};
 }  // namespace umbra78::raster::proof_lanes
 

@@ -241,6 +241,18 @@ TEST(BlockForm, LevelsAreThoseOfTheDefinition) {
                           shading.shade(static_cast<int>(leaf % 16), static_cast<int>(leaf / 16),
                                         0))
                     << form->name << ", block " << n << ", leaf " << leaf;
+            const std::size_t some = 1 + first % 16;
+            SampleNormals normals{};
+            for (std::size_t leaf = 0; leaf < some; ++leaf)
+                for (std::size_t k = 0; k < 3; ++k)
+                    normals.n[k][leaf] = static_cast<std::int32_t>(
+                        shading.mean_normal(static_cast<int>(leaf), 5)[k]);
+            form->measure_normals(job, normals);
+            form->shade_normals(job, normals, some, *levels);
+            for (std::size_t leaf = 0; leaf < some; ++leaf)
+                ASSERT_EQ(levels->of(leaf, spec.channels, spec.source_count),
+                          shading.shade(static_cast<int>(leaf), 5, 0))
+                    << form->name << ", block " << n << ", normal " << leaf;
         }
     }
     EXPECT_GT(covered, effort(1000) / 2);

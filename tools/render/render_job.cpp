@@ -72,6 +72,20 @@ void RenderJob::use(const shadow::Settings& settings) {
 void RenderJob::advance(const shadow::Scene& scene, const shadow::Settings& settings) {
     check_carved(scene, settings);
     load({scene, settings, {}}, &inputs_);
+    if (plan_.leaves_out(shadow::Omission::same_depth) &&
+        !plan_.leaves_out(shadow::Omission::same_observer))
+        list_visible();
+}
+
+void RenderJob::list_visible() {
+    if (visible_ != nullptr) return;
+    std::visit(
+        [&](auto& f) {
+            visible_blocks_.resize(raster::VisibleList::blocks_for(f.pixels()) + patches_);
+            visible_ = std::make_unique<raster::VisibleList>(visible_blocks_);
+            f.visible = visible_.get();
+        },
+        frame_);
 }
 
 void RenderJob::check_carved(const shadow::Scene& scene, const shadow::Settings& settings) const {

@@ -131,6 +131,7 @@ private:
     void load(shadow::FrameInputs next, const shadow::FrameInputs* before);
     shadow::FrameLedger ledger(std::size_t light) const;
     void forget_counts(const shadow::FrameInputs& next);
+    void list_visible();
 
     shadow::FrameInputs inputs_;
     shadow::FramePlan plan_{};
@@ -143,6 +144,9 @@ private:
     std::unique_ptr<std::byte[], Free> memory_;
     std::size_t method_bytes_ = 0;
     std::unique_ptr<std::byte[], Free> method_memory_;
+    // What the observer sees, from the first frame on whose lights alone are others.
+    std::vector<raster::VisibleBlock> visible_blocks_;
+    std::unique_ptr<raster::VisibleList> visible_;
     std::variant<shadow::FrameBuffers<hw::Depth16>, shadow::FrameBuffers<hw::Depth32>> frame_;
     // The last ledgers whose counts still are those of the observer's view, and of each light's.
     mutable std::optional<shadow::FrameLedger> counted_observer_;

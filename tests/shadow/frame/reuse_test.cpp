@@ -30,6 +30,36 @@ std::string kept(const FramePlan& plan) {
     return letters;
 }
 
+// A frame's room for the list of what its observer sees.
+struct Listed {
+    explicit Listed(PlannedFrame& f)
+        : blocks(raster::VisibleList::blocks_for(f.frame.buffers.pixels()) +
+                 f.inputs.scene.patches.size()),
+          list(blocks) {}
+    std::vector<raster::VisibleBlock> blocks;
+    raster::VisibleList list;
+};
+
+bool shades_anew(const FramePlan& plan) {
+    return plan.leaves_out(Omission::same_depth) && !plan.leaves_out(Omission::same_observer);
+}
+
+// There and back, and there again, with a list of what is visible.
+void draw_with_list(const PlannedScene& before, const PlannedScene& now) {
+    PlannedFrame used(before, true), was(before), is(now);
+    Listed listed(used);
+    used.frame.buffers.visible = &listed.list;
+    was.draw(make_plan(was.inputs));
+    is.draw(make_plan(is.inputs));
+    used.draw(make_plan(used.inputs));
+    for (const PlannedFrame* next : {&is, &was, &is}) {
+        const FrameInputs old = used.inputs;
+        used.inputs = next->inputs;
+        used.draw(make_plan(next->inputs, &old));
+        EXPECT_TRUE(equal_frames(next->frame.buffers, used.frame.buffers)) << "by a list";
+    }
+}
+
 // Draws `now` over what `before` left, with all that is kept and with each of it put back, and
 // compares with a frame drawn anew. Returns what was kept.
 std::string draw_over(const PlannedScene& before, const PlannedScene& now) {
@@ -49,6 +79,7 @@ std::string draw_over(const PlannedScene& before, const PlannedScene& now) {
         EXPECT_TRUE(equal_frames(fresh.frame.buffers, used.frame.buffers))
             << "kept " << kept(variant);
     }
+    if (shades_anew(plan)) draw_with_list(before, now);
     return kept(plan);
 }
 
@@ -281,6 +312,40 @@ TEST(Reuse, TheLightMoves) {
     PlannedScene moved = base;
     moved.light.axes = raster::axes_from_angles(-80 << 16, 10 << 16);
     EXPECT_EQ(draw_over(base, moved), "");
+}
+
+// The list holds what is visible, and no patch is drawn; where it does not fit, all are.
+TEST(Reuse, ByAListNothingIsDrawn) {
+    const PlannedScene base = test::planned_scene("figure 6");
+    for (const bool fits : {true, false}) {
+        PlannedFrame used(base);
+        Listed listed(used);
+        if (!fits) listed.list = raster::VisibleList(std::span(listed.blocks).first(9));
+        used.frame.buffers.visible = &listed.list;
+        used.draw(make_plan(used.inputs));
+        EXPECT_FALSE(listed.list.is_whole());
+        std::vector<PlannedScene> scenes(3, base);
+        for (int turn = 1; turn <= 3; ++turn) {
+            PlannedScene& moved = scenes[static_cast<std::size_t>(turn - 1)];
+            moved.light.axes = raster::axes_from_angles((-80 + turn) << 16, 10 << 16);
+            PlannedFrame fresh(moved);
+            fresh.draw(make_plan(fresh.inputs));
+            const FrameInputs old = used.inputs;
+            used.inputs = fresh.inputs;
+            used.frame.counts.observer = {};
+            used.draw(make_plan(used.inputs, &old));
+            EXPECT_TRUE(equal_frames(fresh.frame.buffers, used.frame.buffers));
+            EXPECT_EQ(used.frame.counts.observer.blocks > 0, turn == 1 || !fits);
+            EXPECT_EQ(listed.list.is_whole(), fits);
+            std::size_t pixels = 0, samples = 0;
+            for (const hw::Depth16 z : fresh.frame.buffers.observer.depth) pixels += z != 0xffff;
+            for (const raster::VisibleBlock& b : listed.list.blocks()) samples += b.count;
+            if (fits) {
+                EXPECT_GE(samples, pixels);
+                EXPECT_LT(samples, 2 * pixels);
+            }
+        }
+    }
 }
 
 TEST(Reuse, TheLightsWindowChanges) {

@@ -408,7 +408,8 @@ TEST(SettingsTable, BothEndsOfARangeAreDrawn) {
         const std::int64_t one_end = ++rows % 2 == 0 ? row.min : row.max;
         for (const std::int64_t v : {row.min, row.max}) {
             for (const Lookup lookup : {Lookup::percentage, Lookup::bilinear}) {
-                if (umbra78::test::sanitized && (lookup == Lookup::bilinear || v != one_end)) continue;
+                if (umbra78::test::sanitized && (lookup == Lookup::bilinear || v != one_end))
+                    continue;
                 Settings s = figure_settings(6);
                 s.lookup = lookup;
                 row.set(s, v);
