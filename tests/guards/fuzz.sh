@@ -1,38 +1,77 @@
 #!/usr/bin/env bash
-# The readers of models, packed files and scenes hold under libFuzzer with AddressSanitizer and
-# UndefinedBehaviorSanitizer: each target of tests/fuzz runs ten seconds from its committed corpus,
-# or as many as the argument or UMBRA78_FUZZ_SECONDS says (bash tests/guards/fuzz.sh 3600). An input
-# that breaks one is kept in out/fuzz.
+# What reads, and the core, hold under libFuzzer with AddressSanitizer and
+# UndefinedBehaviorSanitizer: each target of tests/fuzz and tests/fuzz/core runs ten seconds from
+# its committed corpus, two at a time. The readers' targets read any bytes; the core's compare it
+# with the implementation in C of tests/independent/c, or with brute force. An input that breaks one
+# is kept in out/fuzz.
+#   fuzz.sh                  what `tools/test --fuzz` runs, on the rooms of its build
+#   fuzz.sh SECONDS NAME ... these targets, or all, for longer; tests/fuzz/record adds them up
 set -eu
 . "$(dirname "$0")/../support/core.sh"
-. "$root/tests/support/fuzz.sh"
 
-# What reads is instrumented; the rest of the core, which a scene's checks name, is only there.
-read_by="$(ls tools/models/*.cpp tools/scene/*.cpp | grep -v '/scene_file[.]cpp$')
-tools/stream/packed_reader.cpp tools/stream/hills.cpp raster/extent.cpp
-tools/io/suggest.cpp tools/io/text_formats.cpp raster/placing.cpp raster/shading.cpp
-raster/solids.cpp raster/scene.cpp raster/view.cpp raster/projection.cpp shadow/bias.cpp"
-echo '#include <fmt/format.h>
-#include <nlohmann/json_fwd.hpp>
-#include <algorithm>
-#include <array>
-#include <span>
-#include <string>
-#include <vector>' >"$scratch/common.hpp"
-clang++ $instrumented -x c++-header "$scratch/common.hpp" -o "$scratch/common.pch" 2>/dev/null ||
-  skip "no fmt or no nlohmann-json, so no program"
-precompile "clang++ $flags -O0"
+seconds=${1:-10}
+[ $# -eq 0 ] || shift
+built=${UMBRA78_FUZZED:-$root/build/sanitize}
+command -v clang++ >/dev/null || skip "no clang++, so no libFuzzer"
+grep -qs fsanitize-coverage "$built/build.ninja" \
+  "$built"/CMakeFiles/umbra78_tools_scene.dir/flags.make ||
+  skip "no rooms for the fuzzers; tools/test --fuzz builds them"
+instrumented="-O1 -g1 -w -I$root -fsanitize=fuzzer-no-link,address,undefined"
+instrumented="$instrumented -fno-sanitize-recover=all"
+rooms=$(cd "$built" && ls -d "$PWD"/libumbra78_{fixed,hw,raster,shadow,tools_io,tools_models}*.a \
+  "$PWD"/libumbra78_tools_{scene,stream}.a 2>/dev/null || true)
 
-mkdir "$scratch/read" "$scratch/unread"
-readers=$(rooms_in_one "$scratch/read" $read_by)
-others=$(comm -23 <(echo $sources | tr ' ' '\n' | sort) <(echo $read_by | tr ' ' '\n' | sort))
-core=$(rooms_in_one "$scratch/unread" $others)
-for source in $readers $(ls tests/fuzz/*.cpp); do
-  echo "clang++ $instrumented -include-pch $scratch/common.pch -c $source -o $(object_of "$source")"
+sources=$(ls tests/fuzz/*.cpp tests/fuzz/core/*.cpp)
+[ $# -eq 0 ] || sources=$(for name in "$@"; do ls tests/fuzz/{,core/}"$name.cpp" 2>/dev/null; done)
+[ -n "$sources" ] || { echo "fuzz.sh: no target has such a name: $*" >&2; exit 2; }
+object_of() { echo "$scratch/$(basename "${1%.*}").o"; }
+for source in $sources; do
+  echo "clang++ -std=c++20 $instrumented -c $source -o $(object_of "$source")"
 done >"$scratch/commands"
-for source in $core; do
-  echo "clang++ $flags -O0 $precompiled -c $source -o $(object_of "$source")"
+for source in $(ls tests/independent/c/*.c | grep -v '/main[.]c$'); do
+  echo "clang -std=c11 -O1 -fno-sanitize-recover=all -fsanitize=address,undefined -c $source" \
+    "-o $scratch/$(basename "$source").text.o"
 done >>"$scratch/commands"
-compile "the readers"
-# The instrumented objects come first, so that inline functions are theirs.
-fuzz tests/fuzz "the reader of" -lfmt $(for source in $readers $core; do object_of "$source"; done)
+xargs -P2 -L1 env <"$scratch/commands" >"$scratch/log" 2>&1 || {
+  head -20 "$scratch/log"
+  fail "the targets do not compile"
+  verdict
+}
+echo "built in $SECONDS s"
+
+# run SOURCE: it adds to a copy of its corpus.
+run() {
+  local name own corpus
+  name=$(basename "$1" .cpp) corpus=$(dirname "$1")/corpus
+  own=$scratch/$name
+  mkdir -p "$own/found"
+  cp -r "$corpus/$name" "$own/corpus"
+  clang++ -fsanitize=fuzzer,address,undefined "$(object_of "$1")" "$scratch"/*.text.o \
+    -Wl,--start-group $rooms -Wl,--end-group -lfmt -o "$own/target" &&
+    "$own/target" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -seed=1978 \
+      -artifact_prefix="$own/found/" "$own/corpus" && touch "$own/held"
+}
+report() {
+  local name kept="" input
+  name=$(basename "$1" .cpp)
+  if [ -e "$scratch/$name/held" ]; then
+    echo "$name: $(grep -E '^Done' "$scratch/log_$name" || true)"
+    return
+  fi
+  grep -E 'ERROR|runtime error|SUMMARY|undefined reference|error:' "$scratch/log_$name" | head -10
+  for input in "$scratch/$name/found/"*; do
+    [ -f "$input" ] || continue
+    mkdir -p out/fuzz
+    cp "$input" "out/fuzz/$name-${input##*/}"
+    kept="$kept out/fuzz/$name-${input##*/}"
+  done
+  fail "${1%.cpp} breaks on${kept:- no kept input; see above}"
+}
+for source in $sources; do
+  [ -d "$(dirname "$source")/corpus/$(basename "$source" .cpp)" ] || fail "$source has no corpus"
+  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n || true; done
+  run "$source" >"$scratch/log_$(basename "$source" .cpp)" 2>&1 &
+done
+wait
+for source in $sources; do report "$source"; done
+verdict "$(echo "$sources" | wc -l) targets, $seconds s each"

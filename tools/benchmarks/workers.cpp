@@ -89,7 +89,8 @@ int compare_workers(int threads, int rounds) {
     LaidOut laid_out(workers);
     fmt::print("{:<24} {:<22} {:>8} {:>10} {:>9} {:>9}\n", "frame", "stage", "one, ms",
                "laid out", "by parts", "by wall");
-    for (auto& [name, made] : benchmark_frames(workers)) {
+    for (auto& frame : benchmark_frames(workers)) {
+        auto& made = frame.second;  // clang++ 14 captures no structured binding
         for (const Stage& stage : stages) {
             Least least;
             for (int round = 0; round < rounds; ++round) {
@@ -106,7 +107,8 @@ int compare_workers(int threads, int rounds) {
                 least.laid_out = std::min(least.laid_out, serial - laid_out.saved());
                 least.many_wall = std::min(least.many_wall, run(pool.executor()).second);
             }
-            fmt::print("{:<24} {:<22} {:>8.3f} {:>10.3f} {:>9.2f} {:>9.2f}\n", name, stage.name,
+            fmt::print("{:<24} {:<22} {:>8.3f} {:>10.3f} {:>9.2f} {:>9.2f}\n", frame.first,
+                       stage.name,
                        least.one_processor, least.laid_out, least.one_processor / least.laid_out,
                        least.one_wall / least.many_wall);
         }
