@@ -234,6 +234,7 @@ public:
             for (std::size_t r = 0; r < 3; ++r) sums_[r] = first_line(test, matrix, r);
         }
         if (line_.uniforms == 0) return;
+        line_.noise_line = &noise_line_;
         line_of_noise_ = fixed::NoiseRegister::power_of_x(bits_of(line_.size));
         line_.noise = fixed::NoiseRegister(test.dither.seed);
         line_.noise.jump(bits_of(line_.first));
@@ -284,6 +285,7 @@ private:
     std::array<LineSum, 3> sums_{};
     ResultLine results_{};
     std::uint32_t line_of_noise_ = 0;
+    int noise_line_ = RowLine::no_line;
 };
 
 }  // namespace

@@ -44,6 +44,8 @@ struct RowLine {
     std::int32_t amplitude;
     // of the strip
     int first, width;  // its columns
+    int* noise_line;   // whose words all are in the memory's noise_bits
+    static constexpr int no_line = -2;  // nor is it the line before the first
     // of the line
     fixed::NoiseRegister noise{1};  // at the strip's first pixel
     int y;

@@ -15,17 +15,20 @@ static void draw_bits(const RowLine& line, int words, std::uint32_t* bits) {
     }
 }
 
-// Where a block of lanes is too long for the rest, it begins before it and writes some words again.
+// The first block of lanes may reach into the second, whose place is whole cache lines, and the
+// last begins before the one before it ends: some words are written twice.
 UMBRA78_LANES void draw_words(const std::uint32_t* back31, const std::uint32_t* back28, int count,
                               std::uint32_t* out) {
     if (count < lanes) {
         for (int i = 0; i < count; ++i) out[i] = back31[i] ^ back28[i];
         return;
     }
-    for (int i = 0; i < count; i += lanes) {
-        const int at = i < count - lanes ? i : count - lanes;
-        store(out + at, load(back31 + at) ^ load(back28 + at));
-    }
+    const auto draw = [&](int at) { store(out + at, load(back31 + at) ^ load(back28 + at)); };
+    draw(0);
+    const auto place = reinterpret_cast<std::uintptr_t>(out) / sizeof(std::uint32_t);
+    int i = lanes - static_cast<int>(place % static_cast<std::uintptr_t>(lanes));
+    for (; i <= count - lanes; i += lanes) draw(i);
+    draw(count - lanes);
 }
 
 // The same of words in three planes, by their numbers modulo 3: the words of a sum of twelve bytes
@@ -46,6 +49,39 @@ static void draw_planes(const RowLine& line, int plane, std::uint32_t* bits) {
             draw_words(back31, back31 + step, to - from, bits + r * plane + from);
         }
     }
+}
+
+// The planes of the line after the one whose planes are there: a word follows from words that lie
+// 31 and 28 times `step` back, and all of a line lies 48 times back. A line has 6 words a pixel, so
+// `step` is an eighth of its pixels, and the new words take the places of the old ones. What a
+// quarter reads it does not write.
+static void next_planes(int step, std::uint32_t* bits) {
+    const int limits[] = {0, 17 * step, 28 * step, 31 * step, 48 * step};
+    for (int part = 0; part < 4; ++part) {
+        const int back31 = part < 3 ? 17 * step : -31 * step;  // of the line before, or of this
+        const int back28 = part < 2 ? 20 * step : -28 * step;
+        for (int r = 0; r < 3; ++r) {
+            const int from = (limits[part] - r + 2) / 3, to = (limits[part + 1] - r + 2) / 3;
+            const int back = (r + 2 * step) % 3;
+            const std::uint32_t* plane = bits + back * 16 * step;
+            draw_words(plane + from + (back31 + r - back) / 3,
+                       plane + from + (back28 + r - back) / 3, to - from,
+                       bits + r * 16 * step + from);
+        }
+    }
+}
+
+// Words of twelve bytes a sum: of the whole line where the next one may follow from it.
+static int draw_twelve(const RowLine& line, int end, RowMemory& m) {
+    const bool whole = line.width == line.size;
+    const int plane = 2 * (whole ? line.size : end);
+    if (whole && *line.noise_line == line.y - 1) {
+        next_planes(line.size / 8, m.noise_bits);
+    } else {
+        draw_planes(line, plane, m.noise_bits);
+    }
+    *line.noise_line = whole ? line.y : RowLine::no_line;
+    return plane;
 }
 
 // The sums of the bytes of each half word, and the bytes.
@@ -95,8 +131,8 @@ static void draw_noise(const RowLine& line, int x, int end, RowMemory& m) {
     const NoiseScale scale = noise_scale(line);
     std::int16_t* noise = m.noise + 2 * x;
     if (k == 12) {
-        draw_planes(line, 2 * end, m.noise_bits);
-        scale_words(m.noise_bits + 2 * x, 3, 2 * end, sums, scale, noise);
+        const int plane = draw_twelve(line, end, m);
+        scale_words(m.noise_bits + 2 * x, 3, plane, sums, scale, noise);
         return;
     }
     draw_bits(line, end * k / 2, m.noise_bits);

@@ -98,6 +98,35 @@ TEST(PostProcessRows, RandomMatricesThatDivideOrAreWide) {
     EXPECT_LT(refused, 100);
 }
 
+// A line's twelve bytes a sum follow from the line before, unless nothing was drawn there.
+TEST(PostProcessRows, NoiseFollowsFromTheLineBefore) {
+    Random random;
+    std::uint64_t shadowed = 0;
+    for (int round = 0; round < 60 && !::testing::Test::HasFailure(); ++round) {
+        Settings s = test::random_settings(random, true);
+        s.machine.xy_bits = 4 + round % 6;
+        s.dither.shape = hw::DitherShape::normal;
+        s.dither.size_q8 = static_cast<std::int32_t>(random.between(64, 512));
+        OwnedStore<hw::Depth16> observer(s.machine.xy_bits), light(s.machine.xy_bits);
+        test::fill_depth(random, s.machine, observer.depth);
+        test::fill_depth(random, s.machine, light.depth);
+        const int size = s.machine.size_px();
+        const auto none = static_cast<hw::Depth16>(s.machine.background());
+        for (int y = 0; y < size; ++y) {
+            const int drawn = static_cast<int>(random.between(-size, size));
+            const int first = std::max(drawn, 0), all = drawn < -size / 2 ? size : first;
+            std::fill_n(observer.depth.begin() + y * size, all, none);
+        }
+        const hw::MatrixWords m = test::random_matrix(random, s.machine, true);
+        if (!rows_cover(s, m)) continue;
+        const int line = static_cast<int>(random.between(0, size - 1));
+        const hw::Band band = round % 2 == 0 ? hw::Band{} : hw::Band{line, size};
+        expect_forms_agree(maps_of(observer, light), m, s,
+                           "round " + std::to_string(round) + " ", shadowed, band);
+    }
+    EXPECT_GT(shadowed, 20000u) << "too little in shadow for a test";
+}
+
 // Frames of several strips of columns, of which the noise runs on from strip to strip; of most a
 // band of lines alone.
 TEST(PostProcessRows, FramesWiderThanAStrip) {

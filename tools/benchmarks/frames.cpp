@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace umbra78::tools {
 namespace {
@@ -53,6 +54,22 @@ DrawnFrame& figure6(raster::Sampling sampling) {
     return made(sampling == raster::Sampling::leaf ? "leaf" : "centre",
                 [&] { return make_figure6(sampling, 1); });
 }
+
+// Figure 6 with the list of what its observer sees: its view is shaded from that.
+struct ListedFrame {
+    std::unique_ptr<DrawnFrame> drawn = make_figure6(raster::Sampling::centre, 1);
+    std::vector<raster::VisibleBlock> blocks =
+        std::vector<raster::VisibleBlock>(raster::VisibleList::blocks_for(drawn->frame.pixels()));
+    raster::VisibleList list{blocks};
+
+    ListedFrame() {
+        drawn->frame.visible = &list;
+        drawn->plan.at(shadow::Omission::same_depth).left_out = true;
+    }
+    void draw_observer() {
+        shadow::draw_observer(drawn->inputs(), drawn->plan, drawn->frame, drawn->counts);
+    }
+};
 
 template <class Stage>
 void add(std::vector<std::string>& names, const std::string& name, Stage&& stage) {
@@ -106,6 +123,9 @@ void add_frames(std::vector<std::string>& names) {
     };
     add_stages(names, "figure 6 by centres", figure, 0);
     add_stages(names, "figure 6 by leaves", figure, 1);
+    add(names, "figure 6 by centres, observer's view, the light turned", [=] {
+        made("listed", [&] { return std::make_unique<ListedFrame>(); }).draw_observer();
+    });
     add(names, "low-pass, one pass", [=] {
         DrawnFrame& f = figure(0);
         shadow::low_pass<Depth16>(f.frame.lights[0].joined, f.frame.observer,

@@ -128,7 +128,7 @@ TEST(RivalForms, TheirCodesAreTheStores) {
 TEST(RivalForms, LeavingOutChangesNothing) {
     for (const Form form : rival_forms()) {
         PlannedScene planned = with_form("figure 6", form);
-        if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
+        if (umbra78::test::sanitized) planned.settings.dice_levels = 1;
         PlannedFrame all(planned), f(planned);
         all.draw(FramePlan{});
         f.draw(make_plan(f.inputs));
@@ -140,7 +140,7 @@ TEST(RivalForms, LeavingOutChangesNothing) {
 TEST(RivalForms, SayHowMuchTheyNeed) {
     for (const Form form : rival_forms()) {
         PlannedScene planned = with_form("figure 6", form);
-        if (umbra78::test::sanitized) planned.settings.machine.xy_bits = 5;
+        if (umbra78::test::sanitized) planned.settings.dice_levels = 1;
         PlannedFrame f(planned);
         std::size_t bytes = frame_alignment;
         int turns = 0;

@@ -97,7 +97,7 @@ std::string random_number(std::mt19937& random) {
 TEST(NumberArrays, PatchesAreTheSameWordsAndErrors) {
     std::mt19937 random(1978);
     int good = 0, bad = 0;
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < umbra78::test::effort(3000); ++n) {
         const bool rows = random() % 2 != 0;
         std::string control = "[\n";
         for (int k = 0; k < 16; ++k) {
@@ -118,8 +118,8 @@ TEST(NumberArrays, PatchesAreTheSameWordsAndErrors) {
         if (!text.ok()) continue;
         ASSERT_EQ(text.scene.patches.at(0).control, tree.scene.patches.at(0).control) << control;
     }
-    EXPECT_GT(good, 1000);
-    EXPECT_GT(bad, 100);
+    EXPECT_GT(good, umbra78::test::effort(1000));
+    EXPECT_GT(bad, umbra78::test::effort(100));
 }
 
 }  // namespace
