@@ -11,6 +11,7 @@
 // list is then not whole, and the view is to be drawn.
 #pragma once
 
+#include "raster/facet.hpp"
 #include "raster/sinks.hpp"
 
 #include <cstddef>
