@@ -213,7 +213,8 @@ void draw_picture(const FrameInputs& in, const FramePlan& plan, FrameBuffers<Dep
     }
     if (!tested && plan.leaves_out(Omission::same_depth)) {
         clear_intensities(in.settings.machine, store);
-        if (shaded_from_list(in, plan, frame, counts)) return;
+        if constexpr (hw::built(hw::Feature::reuse))
+            if (shaded_from_list(in, plan, frame, counts)) return;
     } else {
         if (frame.visible != nullptr) frame.visible->forget();
         clear_store(in, store, frame.executor);
