@@ -72,7 +72,8 @@ if [ -n "${UMBRA78_EXACT_LEAST:-}" ]; then
   common="$common -DUMBRA78_LEFT_OUT=$left_out"
   drawn_by=$(echo "$drawn_by" | grep -vE '/(facet|facet_batch|triangle)[.]cpp$' |
     grep -vE '/(dice|diced_view|planar)[.]cpp$' |
-    grep -vE '/(blob|post_process_rows|row_.*|ledger|costs|reuse|ground|rivals|visible_list)[.]cpp$' |
+    grep -vE '/(blob|post_process_rows|row_.*|ledger|costs|ground|rivals)[.]cpp$' |
+    grep -vE '/(reuse|visible_list)[.]cpp$' |
     grep -vE '/(ap120b|clocked|rivals)/|/(rival_casts|irregular_map|object_space_casts)[.]cpp$')
 fi
 bare="-fno-exceptions -fno-rtti -ffreestanding -ffunction-sections -fdata-sections"
