@@ -22,7 +22,8 @@ rooms=$(cd "$built" && ls -d "$PWD"/libumbra78_{fixed,hw,raster,shadow,tools_io,
   "$PWD"/libumbra78_tools_{scene,stream}.a 2>/dev/null || true)
 
 sources=$(ls tests/fuzz/*.cpp tests/fuzz/core/*.cpp)
-[ $# -eq 0 ] || sources=$(for name in "$@"; do ls tests/fuzz/{,core/}"$name.cpp" 2>/dev/null; done)
+[ $# -eq 0 ] ||
+  sources=$(for name in "$@"; do ls tests/fuzz/{,core/}"$name.cpp" 2>/dev/null || true; done)
 [ -n "$sources" ] || { echo "fuzz.sh: no target has such a name: $*" >&2; exit 2; }
 object_of() { echo "$scratch/$(basename "${1%.*}").o"; }
 for source in $sources; do
