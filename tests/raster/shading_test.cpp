@@ -1,6 +1,7 @@
 // Shading against its formula in double precision: Lambert's cosine, Phong's highlight, two sides,
 // the poles of a sphere, light from a point.
 #include "tests/raster/truth.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -174,6 +175,7 @@ void expect_sphere_levels(double azimuth, double elevation, const Material& mate
 
 TEST(Shading, OfASphereIsAnalyticAtEveryPixelAndAtThePoles) {
     for (const double elevation : {0.0, 60.0, 90.0, -90.0, -45.0}) {
+        if (umbra78::test::sanitized && elevation != 0 && elevation != 90) continue;
         expect_sphere_levels(20, elevation, {215, 0, 0});
         expect_sphere_levels(20, elevation, {165, 90, 5});
     }

@@ -3,6 +3,7 @@
 
 #include "tests/shadow/random_frames.hpp"
 #include "tests/shadow/slow_lookup.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -197,7 +198,8 @@ TEST(Compare, EveryPlaceAgainstTheSlowModel) {
 TEST(Compare, RandomPlacesAgainstTheSlowModel) {
     Random random;
     int shadowed = 0, lit = 0;
-    for (int round = 0; round < 400; ++round) {
+    const int rounds = umbra78::test::effort(400);
+    for (int round = 0; round < rounds; ++round) {
         Settings s = test::random_settings(random, false);
         s.machine.xy_bits = 4;
         test::OwnedStore<hw::Depth32> light(4);
@@ -229,8 +231,8 @@ TEST(Compare, RandomPlacesAgainstTheSlowModel) {
             }
         }
     }
-    EXPECT_GT(shadowed, 5000);
-    EXPECT_GT(lit, 5000);
+    EXPECT_GT(shadowed, 12 * rounds);
+    EXPECT_GT(lit, 12 * rounds);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "tests/shadow/slow_lookup.hpp"
 #include "tests/shadow/slow_point.hpp"
 #include "tests/support/buffers.hpp"
+#include "tests/support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -262,8 +263,9 @@ test::SlowWords sample_words(const ShadowTest& s, const raster::Sample& at, std:
 // one sample of its own, wherever it lies, at words' ties as well as between them.
 TEST(CorrectSink, EverySampleIsTheSlowModels) {
     Random random;
+    const int rounds = umbra78::test::effort(200);
     int shadowed = 0, lit = 0;
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         Settings s = test::random_settings(random, false);
         if (s.lookup == Lookup::percentage) s.lookup = Lookup::filtered_depth;  // yes or no
         s.machine.xy_bits = std::min(s.machine.xy_bits, 5);
@@ -305,8 +307,8 @@ TEST(CorrectSink, EverySampleIsTheSlowModels) {
             ++(expected ? shadowed : lit);
         }
     }
-    EXPECT_GT(shadowed, 5000);
-    EXPECT_GT(lit, 5000);
+    EXPECT_GT(shadowed, 25 * rounds);
+    EXPECT_GT(lit, 25 * rounds);
 }
 
 }  // namespace

@@ -133,6 +133,7 @@ TEST(PostProcessRows, FramesWiderThanAStrip) {
     Random random;
     std::uint64_t shadowed = 0;
     for (int round = 0; round < 42 && !::testing::Test::HasFailure(); ++round) {
+        if (umbra78::test::sanitized && round > 11 && round < 40) continue;
         Settings s = test::random_settings(random, true);
         s.machine.xy_bits = round < 38 ? 10 : round < 41 ? 11 : 12;
         if (round % 3 == 0) s.machine.coefficient_bits = 24;
@@ -147,7 +148,8 @@ TEST(PostProcessRows, FramesWiderThanAStrip) {
         expect_forms_agree(maps_of(observer, light), m, s,
                            "round " + std::to_string(round) + " ", shadowed, band);
     }
-    EXPECT_GT(shadowed, 50000u) << "too little in shadow for a test";
+    EXPECT_GT(shadowed, umbra78::test::sanitized ? 10000u : 50000u)
+        << "too little in shadow for a test";
 }
 
 // The figures' views at every size, and biases from absurd to negative.
