@@ -99,8 +99,9 @@ bool LightLines::make(const Setting& setting, std::size_t meetings, std::span<st
     const Mesh& mesh = setting.mesh;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const Edge& edge = mesh.edges[e];
-        edges_[e] = LightLine(numbers(plane_through(
-            setting.light.centre, mesh.vertices[edge.low], mesh.vertices[edge.high])));
+        const Plane plane = plane_through(setting.light.centre, mesh.vertices[edge.low],
+                                          mesh.vertices[edge.high]);
+        edges_[e] = LightLine(numbers(plane), longer());
     }
     return true;
 }
@@ -141,7 +142,7 @@ LightLine LightLines::where_cut(std::uint32_t on, const Plane& plane) const {
     const auto va = numbers(a), vf = numbers(plane);
     std::array<Sum, 3> v;
     for (std::size_t k = 0; k < 3; ++k) v[k] = at_a * vf[k] - at_f * va[k];
-    return LightLine(v);
+    return LightLine(v, longer());
 }
 
 const LightLine& LightLines::line(LineId id) const {

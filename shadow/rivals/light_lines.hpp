@@ -55,19 +55,29 @@ private:
     std::uint32_t word_ = 0;
 };
 
-// The three numbers' leading bits: floor(v / 2^s) with one s for the three, at most 2^20 in
-// magnitude. They decide the sign of most triples in one word; three zeros leave it undecided.
+// The three numbers' leading bits: floor(v / 2^s) with one s for a line, at most 2^20 in magnitude.
+// They decide the sign of most triples in one word. Of a direction the third number is an offset,
+// which is longer than the others by the bits of a place in the picture: its s is more by as many.
+// That is the same for all lines of a picture, so it leaves the sign of their determinant.
 using LeadingBits = std::array<std::int32_t, 3>;
 inline constexpr int leading_bits = 20;
+inline constexpr int offset_is_longer = offset_bits - normal_bits;
 
 struct LightLine {
     constexpr LightLine() = default;
-    constexpr explicit LightLine(const std::array<Sum, 3>& numbers) : v(numbers) {
-        int longest = 0;
-        for (const Sum& number : v) longest = std::max(longest, number.bit_length());
-        const int s = std::max(0, longest - leading_bits);
-        for (std::size_t k = 0; k < 3; ++k)
-            leading[k] = static_cast<std::int32_t>((v[k] >> s).to_int64());
+    // `longer` is 0 or offset_is_longer.
+    constexpr explicit LightLine(const std::array<Sum, 3>& numbers, int longer = 0) : v(numbers) {
+        const std::array<int, 3> more{0, 0, longer};
+        int longest = 0, leads = -longer;
+        for (std::size_t k = 0; k < 3; ++k) {
+            longest = std::max(longest, v[k].bit_length());
+            leads = std::max(leads, v[k].bit_length() - more[k]);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int s = leads - leading_bits + more[k];
+            const Sum bits = s < 0 ? v[k] << -s : v[k] >> s;
+            leading[k] = static_cast<std::int32_t>(bits.to_int64());
+        }
         limbs = (longest + 2 + 63) / 64;
     }
 
@@ -138,6 +148,9 @@ public:
     const LightLine& line(LineId id) const;
     // The line on a facet where a plane cuts it, as the light sees it.
     LightLine where_cut(std::uint32_t on, const Plane& plane) const;
+
+    // By how many bits the third number of the picture's lines is longer than the others.
+    int longer() const { return setting_->light.centre.w != 0 ? 0 : offset_is_longer; }
 
 private:
     std::array<Sum, 3> numbers(const Plane& plane) const;

@@ -13,15 +13,23 @@ int sign_of_rows(const Rows& r) {
 }
 
 inline constexpr std::size_t numbers_of_line = 3;
-constexpr std::array<LightLine, numbers_of_line> units{
-    LightLine({Sum(1), Sum(0), Sum(0)}), LightLine({Sum(0), Sum(1), Sum(0)}),
-    LightLine({Sum(0), Sum(0), Sum(1)})};
+using Units = std::array<LightLine, numbers_of_line>;
+constexpr Units units_of(int longer) {
+    return {LightLine({Sum(1), Sum(0), Sum(0)}, longer),
+            LightLine({Sum(0), Sum(1), Sum(0)}, longer),
+            LightLine({Sum(0), Sum(0), Sum(1)}, longer)};
+}
+constexpr Units units_of_place = units_of(0), units_of_direction = units_of(offset_is_longer);
+const Units& units_of(const LightLines& lines) {
+    return lines.longer() == 0 ? units_of_place : units_of_direction;
+}
 
 // The infinitesimal of number c of the line with rank k is h^(2^(3 k + c)): so a product of some of
 // them is greater than another if its set, as a binary number, is less. Its coefficient is the
 // determinant with units in place of these lines; 0 if two of them are of one line or one column.
 // False if the set is such a one.
-bool put_units(std::uint32_t set, std::span<const std::size_t> places, Rows& rows) {
+bool put_units(const Units& units, std::uint32_t set, std::span<const std::size_t> places,
+               Rows& rows) {
     std::uint32_t columns = 0;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const std::uint32_t of_line = set >> (numbers_of_line * k) & 7u;
@@ -46,9 +54,10 @@ int moved_sign(const LightLines& lines, LineId a, LineId b, LineId c, MovedCount
     });
     const Rows unmoved{&lines.line(a), &lines.line(b), &lines.line(c)};
     const int inside = a.inside() * b.inside() * c.inside();
+    const Units& units = units_of(lines);
     for (std::uint32_t set = 1; set < 1u << 9; ++set) {
         Rows rows = unmoved;
-        if (!put_units(set, places, rows)) continue;
+        if (!put_units(units, set, places, rows)) continue;
         if (const int t = sign_of_rows(rows); t != 0) return t * inside;
     }
     fixed::require(false, "lines that are moved meet");
@@ -68,10 +77,11 @@ SeenRow seen_row(const LightLines& lines, std::uint32_t on, int row) {
 int row_sign(const LightLines& lines, LineId a, LineId b, const SeenRow& row) {
     const bool in_order = a.number() < b.number();
     const std::array<std::size_t, 2> places{in_order ? 0u : 1u, in_order ? 1u : 0u};
+    const Units& units = units_of(lines);
     for (std::uint32_t set = 0; set < 1u << 6; ++set) {
         for (const LightLine* line : {&row.at, &row.growth}) {
             Rows rows{&lines.line(a), &lines.line(b), line};
-            if (!put_units(set, places, rows)) break;
+            if (!put_units(units, set, places, rows)) break;
             if (const int s = sign_of_rows(rows); s != 0) return s * a.inside() * b.inside();
         }
     }

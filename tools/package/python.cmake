@@ -37,6 +37,7 @@ else()
   set(module ${PROJECT_BINARY_DIR}/python/umbra78)
   add_library(umbra78_python MODULE tools/python/main.cpp)
   umbra78_linked_anywhere(umbra78_python)
+  umbra78_core_first(umbra78_python)
   set_target_properties(umbra78_python PROPERTIES OUTPUT_NAME _core PREFIX ""
                         SUFFIX ${python_suffix} LIBRARY_OUTPUT_DIRECTORY ${module})
   target_include_directories(umbra78_python SYSTEM PRIVATE ${python_headers} ${UMBRA78_PYBIND11})

@@ -10,14 +10,17 @@
 namespace umbra78::shadow::rivals::test {
 namespace {
 
-// Lines of every size, and of numbers that differ in size.
+// Lines of every size, and of numbers that differ in size. In a direction's picture the third
+// number is the longest.
 class RandomLines {
 public:
+    explicit RandomLines(int longer) : longer_(longer) {}
     LightLine line() {
         std::array<Sum, 3> v;
         const int longest = 1 + below(offset_bits + at_light_bits - 2);
         for (Sum& number : v) number = word(below(3) == 0 ? 1 + below(longest) : longest);
-        return LightLine(v);
+        if (below(2) == 0) v[2] = v[2] << longer_;
+        return LightLine(v, longer_);
     }
     // Through the meeting of a and b, but for a part of a unit or of many.
     LightLine nearly_through(const LightLine& a, const LightLine& b) {
@@ -25,7 +28,7 @@ public:
         std::array<Sum, 3> v;
         for (std::size_t k = 0; k < 3; ++k) v[k] = a.v[k] * i + b.v[k] * j;
         if (below(2) == 0) v[std::size_t(below(3))] = v[0] + word(1 + below(normal_bits));
-        return LightLine(v);
+        return LightLine(v, longer_);
     }
 
 private:
@@ -36,6 +39,7 @@ private:
         sum = sum >> (31 * ((bits + 30) / 31) - bits);
         return below(2) == 0 ? sum : Sum(0) - sum;
     }
+    int longer_;
     std::mt19937 random_{1978};
 };
 
@@ -50,8 +54,8 @@ int sign_of_determinant(const LightLine& a, const LightLine& b, const LightLine&
     return det.is_negative() ? -1 : det.is_zero() ? 0 : 1;
 }
 
-TEST(SignOfThreeLines, IsThatOfTheDeterminantWhereItsLeadingBitsDecide) {
-    RandomLines random;
+void expect_signs_of_determinants(int longer) {
+    RandomLines random(longer);
     int decided = 0, near = 0, ties = 0;
     const int cases = umbra78::test::effort(200000);
     for (int n = 0; n < cases; ++n) {
@@ -69,10 +73,33 @@ TEST(SignOfThreeLines, IsThatOfTheDeterminantWhereItsLeadingBitsDecide) {
     EXPECT_GT(ties, cases / 100);
 }
 
-TEST(SignOfThreeLines, IsLeftOpenForSmallNumbers) {
+TEST(SignOfThreeLines, IsThatOfTheDeterminantWhereItsLeadingBitsDecide) {
+    expect_signs_of_determinants(0);
+    expect_signs_of_determinants(offset_is_longer);
+}
+
+// Three lines of a direction's picture that bound a small triangle far from its centre: the offsets
+// have all the bits, and leave those that decide to the other numbers.
+TEST(SignOfThreeLines, IsDecidedByLeadingBitsFarFromTheCentre) {
+    constexpr std::int64_t place = std::int64_t{1} << (word_bits - 1), small = 1 << 16;
+    const auto through = [](std::int64_t a, std::int64_t b, std::int64_t x, std::int64_t y,
+                            int longer) {
+        return LightLine({Sum(a), Sum(b), Sum(-(a * x + b * y))}, longer);
+    };
+    for (const int longer : {0, offset_is_longer}) {
+        const LightLine a = through(small, 3, place, place, longer),
+                        b = through(-5, small, place, place, longer),
+                        c = through(small, small, place + small, place, longer);
+        EXPECT_EQ(sign_by_all_bits(a, b, c), -1);
+        EXPECT_EQ(sign_by_leading(a, b, c), longer == 0 ? 0 : -1);
+    }
+}
+
+TEST(SignOfThreeLines, OfSmallNumbersIsExact) {
     const LightLine x({Sum(1), Sum(0), Sum(0)}), y({Sum(0), Sum(1), Sum(0)}),
         z({Sum(0), Sum(0), Sum(1)});
-    EXPECT_EQ(sign_by_leading(x, y, z), 0);
+    EXPECT_EQ(sign_by_leading(x, y, z), 1);
+    EXPECT_EQ(sign_by_leading(y, x, z), -1);
     EXPECT_EQ(sign_by_all_bits(x, y, z), 1);
     EXPECT_EQ(sign_by_all_bits(y, x, z), -1);
 }

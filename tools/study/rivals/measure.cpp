@@ -21,16 +21,25 @@ std::int64_t facets_of(const LoadedScene& scene) {
         shadow::rivals::diced_size(scene.surfaces(), scene.settings.dice_levels).facets);
 }
 
-// Pixels that differ from brute force on the same polygons, over all lights.
-std::int64_t wrong_on_polygons(const LoadedScene& scene, const RenderJob& job) {
+BruteMasks::Masks draw_by_brute_force(const LoadedScene& scene) {
     shadow::Settings settings = scene.settings;
     settings.form = Form::brute;
     RenderJob brute(scene.view(), settings);
     draw_mask(brute);
+    BruteMasks::Masks masks;
+    for (std::size_t l = 0; l < brute.inputs().scene.light_count; ++l) {
+        const auto mask = brute.bytes({Plane::mask, l});
+        masks.emplace_back(mask.begin(), mask.end());
+    }
+    return masks;
+}
+
+// Pixels that differ from brute force on the same polygons, over all lights.
+std::int64_t wrong_on_polygons(const BruteMasks::Masks& right, const RenderJob& job) {
     std::int64_t wrong = 0;
-    for (std::size_t l = 0; l < job.inputs().scene.light_count; ++l) {
-        const auto right = brute.bytes({Plane::mask, l}), mask = job.bytes({Plane::mask, l});
-        for (std::size_t at = 0; at < mask.size(); ++at) wrong += mask[at] != right[at] ? 1 : 0;
+    for (std::size_t l = 0; l < right.size(); ++l) {
+        const auto mask = job.bytes({Plane::mask, l});
+        for (std::size_t at = 0; at < mask.size(); ++at) wrong += mask[at] != right[l][at] ? 1 : 0;
     }
     return wrong;
 }
@@ -85,14 +94,28 @@ void set_cycles(Row& row, const RenderJob& job) {
 
 }  // namespace
 
-Row frame_row(const LoadedScene& scene, const Traced* truth) {
+const BruteMasks::Masks& BruteMasks::of(const Case& c, const LoadedScene& scene) const {
+    std::string key = own_scene(c);
+    for (const std::string& each : c.set)
+        if (!each.starts_with("form=")) key += each + "\n";
+    Slot* slot = nullptr;
+    {
+        const std::lock_guard lock(mutex_);
+        slot = &slots_[key];
+    }
+    std::call_once(slot->once, [&] { slot->masks = draw_by_brute_force(scene); });
+    return slot->masks;
+}
+
+Row frame_row(const Case& c, const LoadedScene& scene, const Traced* truth,
+              const BruteMasks& brute) {
     RenderJob job(scene.view(), scene.settings);
     draw_mask(job);
     Row row;
     row.set("facets", facets_of(scene));
     row.set("mask_hash", hash_of(job.buffer(Plane::mask)));
     if (shadow::is_rival(scene.settings.form))
-        row.set("wrong_on_polygons_px", wrong_on_polygons(scene, job));
+        row.set("wrong_on_polygons_px", wrong_on_polygons(brute.of(c, scene), job));
     if (truth != nullptr) set_errors(row, job, *truth);
     set_cycles(row, job);
     row.set("frame_bytes", static_cast<std::int64_t>(job.frame_bytes()));

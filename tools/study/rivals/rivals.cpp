@@ -36,12 +36,13 @@ public:
 
 private:
     TruthCache truths_;
+    BruteMasks brute_;
 };
 
 Row Rivals::run(const Request&, const Case& c, const LoadedScene* scene) const {
     if (!extra_of(c, "cells").empty()) return scan_out_row(*scene, c);
     const bool one_light = scene->view().light_count == 1;  // which the rates of error are of
-    return frame_row(*scene, one_light ? truths_.of(*scene).get() : nullptr);
+    return frame_row(c, *scene, one_light ? truths_.of(*scene).get() : nullptr, brute_);
 }
 
 std::vector<ColumnMeaning> Rivals::columns() const {

@@ -6,9 +6,14 @@
 #include "tools/study/measures.hpp"
 #include "tools/study/study.hpp"
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace umbra78::tools::study {
 
@@ -41,8 +46,25 @@ std::string layers_scene(int sheets);
 // Things of all kinds on a floor that is the ground. A ramp's light is a lamp, and far away.
 std::string textbook_scene(double ramp_px);
 
+// The masks of brute force, by light: one drawing for all rivals of the same polygons and views.
+// Safe to call from several threads: the first to ask for a scene's draws, the others wait.
+class BruteMasks {
+public:
+    using Masks = std::vector<std::vector<std::uint8_t>>;
+    // `scene` is the case's, whose overrides may differ in the form alone where masks are shared.
+    const Masks& of(const Case&, const LoadedScene& scene) const;
+
+private:
+    struct Slot {
+        std::once_flag once;
+        Masks masks;
+    };
+    mutable std::mutex mutex_;  // of the map
+    mutable std::map<std::string, Slot> slots_;
+};
+
 // A drawn frame's errors, cycles and memory.
-Row frame_row(const LoadedScene&, const Traced* truth);
+Row frame_row(const Case&, const LoadedScene&, const Traced* truth, const BruteMasks&);
 // What Bouknight & Kelley's second scan does, as the case's extra columns ask for it.
 Row scan_out_row(const LoadedScene&, const Case&);
 
