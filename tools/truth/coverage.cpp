@@ -25,6 +25,24 @@ public:
 
     Covered at(std::size_t pixel) const {
         const bool seen = sees(pixel), drawn = draws(pixel);
+        if (!seen && !drawn) return Covered::right;
+        if (seen && drawn && is_near(pixel)) return Covered::right;
+        return among_neighbours(pixel, seen, drawn);
+    }
+
+    bool sees(std::size_t pixel) const { return truth_.visible[pixel] != 0; }
+    bool draws(std::size_t pixel) const { return depths_.at(pixel) != depths_.maxval; }
+
+private:
+    double exact_code_at(std::size_t pixel) const {
+        return exact_code(view_, truth_.depth[pixel], depths_.maxval);
+    }
+    // Whether it is right whatever its neighbours are: their depths only widen what is allowed.
+    bool is_near(std::size_t pixel) const {
+        const double exact = exact_code_at(pixel), code = depths_.at(pixel);
+        return code >= exact - allowed_codes && code <= exact + allowed_codes;
+    }
+    Covered among_neighbours(std::size_t pixel, bool seen, bool drawn) const {
         int seen_beside = 0, drawn_beside = 0, all = 0;
         double low = HUGE_VAL, high = -HUGE_VAL;
         bool one_surface = true;
@@ -33,7 +51,7 @@ public:
             seen_beside += sees(other);
             drawn_beside += draws(other);
             one_surface &= truth_.surface[other] == truth_.surface[pixel];
-            const double code = exact_code(view_, truth_.depth[other], depths_.maxval);
+            const double code = exact_code_at(other);
             low = std::min(low, code);
             high = std::max(high, code);
         });
@@ -46,10 +64,6 @@ public:
         return code < low - allowed || code > high + allowed ? Covered::misplaced : Covered::right;
     }
 
-    bool sees(std::size_t pixel) const { return truth_.visible[pixel] != 0; }
-    bool draws(std::size_t pixel) const { return depths_.at(pixel) != depths_.maxval; }
-
-private:
     const Truth& truth_;
     const Buffer& depths_;
     const TruthView& view_;
