@@ -46,21 +46,42 @@ private:
     std::vector<double> from_;
 };
 
-// Of every pixel to the nearest marked one, in pixels; infinite where none is marked.
-std::vector<double> distances_to(const std::vector<std::uint8_t>& marked, int size) {
-    std::vector<double> squared(marked.size(), infinity), row(size);
-    for (std::size_t at = 0; at < marked.size(); ++at)
-        if (marked[at]) squared[at] = 0;
+// Of every pixel to the nearest marked one of its column; `nowhere` where none is marked.
+constexpr int nowhere = 1 << 30;
+std::vector<int> along_columns(const std::vector<std::uint8_t>& marked, int size) {
+    const auto n = static_cast<std::size_t>(size);
+    std::vector<int> distance(marked.size());
+    for (std::size_t at = 0; at < marked.size(); ++at) {
+        const int above = at < n ? nowhere : distance[at - n];
+        distance[at] = marked[at] ? 0 : std::min(above + 1, nowhere);
+    }
+    for (std::size_t at = marked.size() - n; at-- > 0;)
+        distance[at] = std::min(distance[at], distance[at + n] + 1);
+    return distance;
+}
+
+// Of each asked pixel to the nearest marked one, in pixels; infinite where none is marked. Of what is
+// not asked it says nothing.
+std::vector<double> distances_to(const std::vector<std::uint8_t>& marked,
+                                 const std::vector<std::uint8_t>& asked, int size) {
+    const std::vector<int> in_column = along_columns(marked, size);
+    std::vector<double> distance(marked.size()), row(static_cast<std::size_t>(size));
     LineDistance along_line(size);
-    const auto transform = [&](std::size_t start, std::size_t step) {
-        for (int i = 0; i < size; ++i) row[i] = squared[start + i * step];
-        along_line(size, [&](int i) { return row[i]; },
-                   [&](int i, double d) { squared[start + i * step] = d; });
-    };
-    for (int i = 0; i < size; ++i) transform(i, size);
-    for (int i = 0; i < size; ++i) transform(static_cast<std::size_t>(i) * size, 1);
-    for (double& d : squared) d = std::sqrt(d);
-    return squared;
+    for (std::size_t start = 0; start < marked.size(); start += row.size()) {
+        const auto first = asked.begin() + static_cast<std::ptrdiff_t>(start);
+        if (std::find(first, first + size, 1) == first + size) continue;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const int d = in_column[start + i];
+            row[i] = d < nowhere ? double(d) * d : infinity;
+        }
+        std::fill_n(distance.begin() + static_cast<std::ptrdiff_t>(start), size, infinity);
+        along_line(size, [&](int i) { return row[static_cast<std::size_t>(i)]; },
+                   [&](int i, double squared) {
+                       const std::size_t at = start + static_cast<std::size_t>(i);
+                       if (asked[at]) distance[at] = std::sqrt(squared);
+                   });
+    }
+    return distance;
 }
 
 // The pixels in shadow with a lit 4-neighbour, of those compared.
@@ -89,8 +110,8 @@ EdgeDistance edge_distance(const Truth& truth, const MachineMask& mask,
         shadow_edge(truth.size, compared, [&](std::size_t at) { return !truth.lit[at]; });
     const auto drawn_edge =
         shadow_edge(truth.size, compared, [&](std::size_t at) { return mask.in_shadow(at); });
-    const auto from_true = distances_to(true_edge, truth.size);
-    const auto from_drawn = distances_to(drawn_edge, truth.size);
+    const auto from_true = distances_to(true_edge, drawn_edge, truth.size);
+    const auto from_drawn = distances_to(drawn_edge, true_edge, truth.size);
     double sum = 0, max = 0;
     std::size_t pixels = 0;
     const auto measure = [&](const auto& edge, const auto& distance) {
