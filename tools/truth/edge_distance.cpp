@@ -60,8 +60,8 @@ std::vector<int> along_columns(const std::vector<std::uint8_t>& marked, int size
     return distance;
 }
 
-// Of each asked pixel to the nearest marked one, in pixels; infinite where none is marked. Of what is
-// not asked it says nothing.
+// Of each asked pixel to the nearest marked one, in pixels; infinite where none is marked. It says
+// nothing of what is not asked.
 std::vector<double> distances_to(const std::vector<std::uint8_t>& marked,
                                  const std::vector<std::uint8_t>& asked, int size) {
     const std::vector<int> in_column = along_columns(marked, size);
